@@ -1,0 +1,115 @@
+#include "radiance4d/atomic_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "radiance4d/failure.h"
+
+namespace lightwell {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& act, int code) {
+    throw SystemError(
+        fmt::format("{}: cannot {}: {}", path, act, std::generic_category().message(code)));
+}
+
+/// A file that is removed again unless it is renamed.
+class Temporary {
+  public:
+    /// Made with the permissions that the user's umask allows any new file.
+    explicit Temporary(const std::string& target) : target_(target) {
+        for (int attempt = 0; descriptor_ < 0; ++attempt) {
+            name_ = fmt::format("{}.{}-{}.part", target, getpid(), attempt);
+            descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor_ >= 0 || errno == EEXIST) continue;
+            if (errno == ENOENT || errno == ENOTDIR)
+                throw InputError(target + ": the folder does not exist");
+            fail(target, "write", errno);
+        }
+    }
+    ~Temporary() {
+        if (descriptor_ >= 0) close(descriptor_);
+        if (!renamed_) unlink(name_.c_str());
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    void write(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written <= 0) fail(target_, "write", written < 0 ? errno : ENOSPC);
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+        }
+        if (fsync(descriptor_) != 0) fail(target_, "write", errno);
+        const int code = close(descriptor_) == 0 ? 0 : errno;
+        descriptor_ = -1;
+        if (code != 0) fail(target_, "write", code);
+    }
+
+    /// Some file systems report a lost write to nobody, so the file itself is asked.
+    void compare(std::string_view bytes) {
+        descriptor_ = open(name_.c_str(), O_RDONLY | O_CLOEXEC);
+        if (descriptor_ < 0) fail(target_, "read back", errno);
+        std::vector<char> block(std::size_t{1} << 16);
+        for (;;) {
+            const ssize_t count = read(descriptor_, block.data(), block.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail(target_, "read back", errno);
+            const auto size = static_cast<std::size_t>(count);
+            if (bytes.substr(0, size) != std::string_view(block.data(), size))
+                fail(target_, "read back what was written", EIO);
+            if (size == 0) break;
+            bytes.remove_prefix(size);
+        }
+        if (!bytes.empty()) fail(target_, "read back what was written", EIO);
+    }
+
+    void rename_to_target() {
+        if (std::rename(name_.c_str(), target_.c_str()) != 0) fail(target_, "write", errno);
+        renamed_ = true;
+    }
+
+  private:
+    std::string target_;
+    std::string name_;
+    int descriptor_ = -1;
+    bool renamed_ = false;
+};
+
+/// Forces the new name to the disk. Not every file system can; the file itself is safe already.
+void synchronise(const std::filesystem::path& folder) {
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    fsync(descriptor);
+    close(descriptor);
+}
+
+}  // namespace
+
+void write_atomically(const std::string& path, std::string_view bytes) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    fs::path target(path);
+    if (fs::is_symlink(target, error)) target = fs::weakly_canonical(target, error);
+    if (!target.has_filename() ||
+        (fs::exists(target, error) && !fs::is_regular_file(target, error)))
+        throw InputError(fmt::format("{}: is not a regular file", path));
+
+    Temporary temporary(target.string());
+    temporary.write(bytes);
+    temporary.compare(bytes);
+    temporary.rename_to_target();
+    synchronise(target.has_parent_path() ? target.parent_path() : fs::path("."));
+}
+
+}  // namespace lightwell

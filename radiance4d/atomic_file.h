@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace lightwell {
+
+/// Writes a whole file so that `path` holds either what it held before or all of `bytes`.
+///
+/// The bytes go to a temporary beside the target, are forced to the disk, closed, read back and
+/// compared; only then does the temporary take the target's name. A symbolic link is followed: the
+/// file that it names is replaced. Whatever goes wrong, no temporary stays behind.
+/// @throws InputError if the folder does not exist, or if something other than a regular file has
+/// that name; SystemError if the disk is full or the folder may not be written to.
+void write_atomically(const std::string& path, std::string_view bytes);
+
+}  // namespace lightwell
