@@ -1,0 +1,115 @@
+#include "solver/reference/path_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/failure.h"
+#include "solver/reference/random_stream.h"
+
+namespace lightwell {
+
+namespace {
+
+/// Mean and standard error of the mean of independent batch means.
+IrradianceEstimate from_batches(const std::vector<Rgb>& batch_means) {
+    const auto count = static_cast<double>(batch_means.size());
+    IrradianceEstimate result;
+    for (const Rgb& one : batch_means)
+        result.mean += one / count;
+    Rgb squares = Rgb::Zero();
+    for (const Rgb& one : batch_means)
+        squares += (one - result.mean).square();
+    result.standard_error = (squares / (count * (count - 1))).sqrt();
+    return result;
+}
+
+/// Standard error of luminance, taking the channels' errors as fully correlated (they share every
+/// ray), which overstates it if anything.
+double luminance_error(const IrradianceEstimate& estimate) {
+    return luminance(estimate.standard_error);
+}
+
+}  // namespace
+
+PathTracer::PathTracer(const Scene& scene, const Visibility& visibility,
+                       const std::vector<Light>& lights)
+    : walk_(scene, visibility, lights) {}
+
+IrradianceSurvey PathTracer::survey(const std::vector<SurfacePoint>& points, LightAsked asked,
+                                    const std::vector<int>& samples, const PathTracing& how) const {
+    LIGHTWELL_CHECK_OP(how.batches, >=, 2);
+    IrradianceSurvey result;
+    result.at.resize(points.size());
+    std::vector<std::int64_t> rays(points.size(), 0);
+    std::vector<std::int64_t> paths(points.size(), 0);
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t p) {
+        const int per_batch = std::max(1, (samples[p] + how.batches - 1) / how.batches);
+        std::vector<Rgb> batch_means;
+        for (int batch = 0; batch < how.batches; ++batch) {
+            RandomStream random(how.seed, p, static_cast<std::uint64_t>(batch));
+            PathChoices choices(static_cast<std::size_t>(per_batch), random);
+            Rgb sum = Rgb::Zero();
+            for (int k = 0; k < per_batch; ++k) {
+                choices.start(static_cast<std::size_t>(k));
+                sum += walk_.estimate(points[p], asked, how.roulette_after, choices, rays[p]);
+            }
+            batch_means.push_back(sum / per_batch);
+        }
+        result.at[p] = from_batches(batch_means);
+        paths[p] = std::int64_t{per_batch} * how.batches;
+    });
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        result.rays += rays[p];
+        result.paths += paths[p];
+    }
+    return result;
+}
+
+IrradianceSurvey PathTracer::indirect(const std::vector<SurfacePoint>& points,
+                                      const PathTracing& how) const {
+    return survey(points, LightAsked::indirect, std::vector<int>(points.size(), how.samples), how);
+}
+
+IrradianceSurvey PathTracer::total(const std::vector<SurfacePoint>& points,
+                                   const PathTracing& how) const {
+    IrradianceSurvey result = survey(points, LightAsked::without_lamps,
+                                     std::vector<int>(points.size(), how.samples), how);
+    for (std::size_t p = 0; p < points.size(); ++p)
+        result.at[p].mean += walk_.straight_from_lamps(points[p], result.rays);
+    return result;
+}
+
+IrradianceSurvey PathTracer::indirect_to(double relative_noise,
+                                         const std::vector<SurfacePoint>& points,
+                                         const PathTracing& how, int most_samples) const {
+    PathTracing trial_how = how;
+    trial_how.seed = RandomStream(how.seed).bits();
+    const IrradianceSurvey trial = indirect(points, trial_how);
+
+    double squares = 0;
+    for (const IrradianceEstimate& one : trial.at)
+        squares += std::pow(luminance(one.mean), 2);
+    const double floor =
+        points.empty() ? 0 : 0.1 * std::sqrt(squares / static_cast<double>(points.size()));
+
+    // A trial's own error is uncertain by an eighth with 32 batches: ask for a third more.
+    const double margin = 1.33;
+    std::vector<int> samples;
+    for (const IrradianceEstimate& one : trial.at) {
+        const double allowed = relative_noise * std::max(luminance(one.mean), floor);
+        const double excess = allowed > 0 ? luminance_error(one) / allowed : 0;
+        const double wanted = margin * how.samples * excess * excess;
+        samples.push_back(static_cast<int>(std::clamp(
+            wanted, 4.0 * how.batches, std::max(4.0 * how.batches, double(most_samples)))));
+    }
+    IrradianceSurvey result = survey(points, LightAsked::indirect, samples, how);
+    result.rays += trial.rays;
+    result.paths += trial.paths;
+    return result;
+}
+
+}  // namespace lightwell
