@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "radiance4d/basis/cell_tree.h"
+#include "radiance4d/scene/quad.h"
+
+namespace lightwell {
+
+/// Row-major, so that one row is one basis function or cell of the transformed domain.
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The orthonormal Haar basis over the cells of one 2D domain.
+///
+/// The measure of a cell is its area on the quad, so the basis is orthonormal in L2 of the
+/// *surface*, whatever the shape of the convex quad. Coefficients of scaling functions are
+/// half-densities, s_c = sqrt(A_c) * (mean over c): the cell- wise form of l = sqrt(J) L. The
+/// scaling function of a parent is sum_c h_c phi_c with h_c = sqrt(A_c/A_parent), and the wavelets
+/// complete h to an orthonormal frame; with equal areas these are the classical non-standard Haar
+/// wavelets (WRT eq. 1 and 2, figure 2b). Weighting by area instead of by the bilinear parameters
+/// keeps a constant radiance in the span of the coarsest level on trapezoids as well, which energy
+/// conservation rests on (cf. unbalanced Haar wavelets, Girardi and Sweldens 1997).
+class HaarBasis {
+  public:
+    HaarBasis() = default;
+    /// The basis on a quad, cells cut along lines of constant u and v.
+    HaarBasis(const Quad& quad, CellTree tree);
+
+    const CellTree& tree() const { return tree_; }
+    /// Area of a cell [m2].
+    double area(const Cell& cell) const { return area_[tree_.position(cell)]; }
+    /// The orthonormal frame of a cell that is not finest: row 0 holds h_c, row k the weights of
+    /// wavelet k on the children's scaling functions. Only the first children(level) rows and
+    /// columns are set.
+    Eigen::Matrix4d frame(const Cell& cell) const;
+
+    /// Scaling coefficients of the cells of level `depth`, one row each, become wavelet
+    /// coefficients, in place: row i is basis function i. Exact inverse of synthesise. O(rows) per
+    /// column.
+    void analyse(Eigen::Ref<RowMatrix> rows, int depth) const;
+    /// Wavelet coefficients become scaling coefficients of the cells of level `depth`, in place.
+    void synthesise(Eigen::Ref<RowMatrix> rows, int depth) const;
+
+  private:
+    CellTree tree_;
+    std::vector<double> area_ = {1.0};  // by CellTree::position
+};
+
+}  // namespace lightwell

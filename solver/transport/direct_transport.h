@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "radiance4d/operator/transport_operator.h"
+#include "radiance4d/progress.h"
+#include "solver/transport/link.h"
+
+namespace lightwell {
+
+/// One coefficient of the geometric operator, row < column.
+struct Coefficient {
+    std::uint32_t row = 0;
+    std::uint32_t column = 0;
+    float value = 0;
+};
+
+/// The colourless geometric operator M in the standard decomposition, all its coefficients: <b_r, M
+/// b_s> with M = Int F V, so that a single bounce is T = M diag(rho) (WRT eq. 3 for diffuse
+/// surfaces). Links of each pair of elements are spread to the finest cells they refer to, and both
+/// sides transformed: coefficients of coarse supports are the exact transform of finer ones, never
+/// sampled anew (WRT section 4.3.1).
+///
+/// Ordered by column, then row. Coefficients that are zero to rounding are left out.
+std::vector<Coefficient> direct_transport(const RadianceSpace& space,
+                                          const std::vector<PairLinks>& pairs,
+                                          const Progress& progress);
+
+/// Drops the coefficients with |value| * max(weight of row, weight of column) below the threshold;
+/// never those between the scaling functions of two whole elements, which carry the mean exchange
+/// and with it the energy.
+SymmetricOperator truncated(const RadianceSpace& space,
+                            const std::vector<Coefficient>& coefficients,
+                            const Eigen::ArrayXd& weight, double threshold);
+
+}  // namespace lightwell

@@ -1,0 +1,120 @@
+#include "solver/transport/geometric_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/transport/kernel.h"
+#include "solver/transport/kernel_samples.h"
+#include "solver/transport/shaft.h"
+
+namespace lightwell {
+
+namespace {
+
+/// Sides of a link whose sizes are within this factor are refined together.
+constexpr double similar_size = 1.6;
+
+/// Refines the larger support, or both where they are of similar size; what is finest stays.
+unsigned refine_by_size(const LinkGeometry& link, double receiver_reach, double sender_reach) {
+    if (link.receiver_finest) return sender_space;
+    if (link.sender_finest) return receiver_space;
+    if (receiver_reach > similar_size * sender_reach) return receiver_space;
+    if (sender_reach > similar_size * receiver_reach) return sender_space;
+    return receiver_space | sender_space;
+}
+
+/// Refines the sides that explain a third or more of the variance, at least the one that explains
+/// most.
+unsigned refine_by_variance(const LinkGeometry& link, const KernelVariation& variation) {
+    if (link.receiver_finest) return sender_space;
+    if (link.sender_finest) return receiver_space;
+    const double third = variation.variance / 3;
+    unsigned sides = 0;
+    if (variation.receiver_variance >= third) sides |= receiver_space;
+    if (variation.sender_variance >= third) sides |= sender_space;
+    return sides != 0 ? sides : receiver_space | sender_space;
+}
+
+/// Shares the exact exchange area of the whole link among its strata, by their kernel times
+/// visibility.
+void share(double whole, const LinkGeometry& link, const LinkChildren& children,
+           const std::array<std::array<double, 4>, 4>& kernel,
+           const std::array<std::array<double, 4>, 4>& visible, LinkStrata& strata) {
+    double sum = 0;
+    std::array<std::array<double, 4>, 4> product{};
+    for (int i = 0; i < children.receivers; ++i) {
+        for (int j = 0; j < children.senders; ++j) {
+            product[i][j] = link.receiver->space.area(children.receiver[i]) *
+                            link.sender->space.area(children.sender[j]);
+            sum += kernel[i][j] * product[i][j];
+        }
+    }
+    // Where every sample looked away the facets are slivers: their exchange is spread evenly.
+    const double even = 1.0 / (children.receivers * children.senders);
+    for (int i = 0; i < children.receivers; ++i)
+        for (int j = 0; j < children.senders; ++j)
+            strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * product[i][j] / sum : even);
+}
+
+}  // namespace
+
+GeometricOracle::GeometricOracle(const GeometricOracleOptions& options,
+                                 const std::vector<Quad>& quads, const Visibility& visibility,
+                                 double scene_area)
+    : options_(options), quads_(quads), visibility_(visibility), scene_area_(scene_area) {}
+
+Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occluders,
+                               LinkStrata& strata, OracleCost& cost) const {
+    ++cost.links_judged;
+
+    // Who stands between?
+    if (!occluders.empty()) {
+        const Shaft shaft(link.receiver_facet, link.sender_facet);
+        occluders.erase(
+            std::remove_if(
+                occluders.begin(), occluders.end(),
+                [&](int q) { return !shaft.may_be_cut_by(quads_[static_cast<std::size_t>(q)]); }),
+            occluders.end());
+        for (const int q : occluders)
+            if (shaft.is_covered_by(quads_[static_cast<std::size_t>(q)]))
+                return {Verdict::Act::drop, 0};
+    }
+    const bool partial = !occluders.empty();
+
+    // How much does the kernel vary?
+    const LinkChildren children = children_of(link);
+    const KernelVariation variation = kernel_variation(link, children);
+    if (!(link.receiver_finest && link.sender_finest)) {
+        const double area_x = link.receiver->space.area(link.link.receiver.space);
+        const double area_y = link.sender->space.area(link.link.sender.space);
+        const double reach_x = link.receiver_facet.reach(), reach_y = link.sender_facet.reach();
+        const double distance = (link.sender_facet.centre() - link.receiver_facet.centre()).norm();
+        const bool near = distance < options_.near_ratio * (reach_x + reach_y);
+        const double deviation = partial
+                                     ? std::max(std::sqrt(variation.variance), 0.5 * variation.mean)
+                                     : std::sqrt(variation.variance);
+        const double importance =
+            deviation * std::sqrt(area_x * area_y * std::max(area_x, area_y) / scene_area_);
+        const double allowed = partial ? options_.partial_tolerance : options_.tolerance;
+        if (near || !(importance < allowed))
+            return {Verdict::Act::refine, near || partial ? refine_by_size(link, reach_x, reach_y)
+                                                          : refine_by_variance(link, variation)};
+    }
+
+    // Keep it: exact exchange where all is clear, times the visible share seen by rays where it is
+    // not.
+    const double whole = exchange_area(link.receiver_facet, link.sender_facet);
+    if (!partial) {
+        share(whole, link, children, variation.value, variation.value, strata);
+        return {Verdict::Act::keep, 0};
+    }
+    const int strata_count = children.receivers * children.senders;
+    const StratifiedSamples samples = sample_strata(
+        link, children, (options_.rays + strata_count - 1) / strata_count, visibility_, cost);
+    if (samples.highest == 0) return {Verdict::Act::drop, 0};
+    share(whole, link, children, samples.kernel, samples.visible, strata);
+    strata.sampled = true;
+    return {Verdict::Act::keep, 0};
+}
+
+}  // namespace lightwell

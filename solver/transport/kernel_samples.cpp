@@ -1,0 +1,142 @@
+#include "solver/transport/kernel_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "solver/transport/kernel.h"
+
+namespace lightwell {
+
+namespace {
+
+/// SplitMix64 (Steele, Lea, Flood 2014): one step turns a counter into well mixed bits.
+std::uint64_t mixed(std::uint64_t x) {
+    x += 0x9E3779B97F4A7C15ULL;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
+    return x ^ (x >> 31);
+}
+
+/// The additive sequence on the generalised golden ratio in four dimensions (Roberts 2018): x^5 = x
+/// + 1.
+class Sequence4 {
+  public:
+    explicit Sequence4(std::uint64_t seed) {
+        for (double& start : at_) {
+            seed = mixed(seed);
+            start = static_cast<double>(seed >> 11) * 0x1p-53;
+        }
+    }
+    const std::array<double, 4>& next() {
+        constexpr std::array<double, 4> step = {0.85667488385450287, 0.73389185662718776,
+                                                0.62870672083239870, 0.53859725722360993};
+        for (std::size_t k = 0; k < 4; ++k) {
+            at_[k] += step[k];
+            at_[k] -= std::floor(at_[k]);
+        }
+        return at_;
+    }
+
+  private:
+    std::array<double, 4> at_{};
+};
+
+std::uint64_t seed_of(const Link& link, const Element& receiver, const Element& sender) {
+    const std::uint64_t a = mixed((std::uint64_t{link.receiver.element} << 32) +
+                                  receiver.space.tree().position(link.receiver.space));
+    return mixed(a ^ ((std::uint64_t{link.sender.element} << 32) +
+                      sender.space.tree().position(link.sender.space)));
+}
+
+Vec3 point_in(const Element& element, const ParameterRect& r, double u, double v) {
+    return element.geometry.point(r.u0 + u * (r.u1 - r.u0), r.v0 + v * (r.v1 - r.v0));
+}
+
+}  // namespace
+
+LinkChildren children_of(const LinkGeometry& link) {
+    const auto list = [](const Element& element, const Cell& cell, bool finest,
+                         std::array<Cell, 4>& children) {
+        if (finest) {
+            children[0] = cell;
+            return 1;
+        }
+        const CellTree& tree = element.space.tree();
+        const auto count = tree.children(cell.level);
+        for (std::uint32_t c = 0; c < count; ++c)
+            children[c] = tree.child(cell, c);
+        return static_cast<int>(count);
+    };
+    LinkChildren children;
+    children.receivers =
+        list(*link.receiver, link.link.receiver.space, link.receiver_finest, children.receiver);
+    children.senders =
+        list(*link.sender, link.link.sender.space, link.sender_finest, children.sender);
+    return children;
+}
+
+KernelVariation kernel_variation(const LinkGeometry& link, const LinkChildren& children) {
+    const int nr = children.receivers, ns = children.senders;
+    std::array<Vec3, 4> x, y;
+    for (int i = 0; i < nr; ++i)
+        x[i] = point_in(*link.receiver, link.receiver->space.tree().rect(children.receiver[i]), .5,
+                        .5);
+    for (int j = 0; j < ns; ++j)
+        y[j] = point_in(*link.sender, link.sender->space.tree().rect(children.sender[j]), .5, .5);
+
+    KernelVariation result;
+    std::array<double, 4> row{}, column{};
+    double squares = 0;
+    for (int i = 0; i < nr; ++i) {
+        for (int j = 0; j < ns; ++j) {
+            const double f =
+                kernel(x[i], link.receiver_facet.normal, y[j], link.sender_facet.normal);
+            result.value[i][j] = f;
+            row[i] += f / ns;
+            column[j] += f / nr;
+            squares += f * f / (nr * ns);
+            result.mean += f / (nr * ns);
+        }
+    }
+    result.variance = std::max(0.0, squares - result.mean * result.mean);
+    for (int i = 0; i < nr; ++i)
+        result.receiver_variance += (row[i] - result.mean) * (row[i] - result.mean) / nr;
+    for (int j = 0; j < ns; ++j)
+        result.sender_variance += (column[j] - result.mean) * (column[j] - result.mean) / ns;
+    return result;
+}
+
+StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& children,
+                                int per_stratum, const Visibility& visibility, OracleCost& cost) {
+    StratifiedSamples result;
+    result.lowest = std::numeric_limits<double>::infinity();
+    result.highest = 0;
+    Sequence4 sequence(seed_of(link.link, *link.receiver, *link.sender));
+    for (int i = 0; i < children.receivers; ++i) {
+        const ParameterRect at_x = link.receiver->space.tree().rect(children.receiver[i]);
+        for (int j = 0; j < children.senders; ++j) {
+            const ParameterRect at_y = link.sender->space.tree().rect(children.sender[j]);
+            for (int k = 0; k < per_stratum; ++k) {
+                const std::array<double, 4>& w = sequence.next();
+                const Vec3 x = point_in(*link.receiver, at_x, w[0], w[1]);
+                const Vec3 y = point_in(*link.sender, at_y, w[2], w[3]);
+                const double f = kernel(x, link.receiver_facet.normal, y, link.sender_facet.normal);
+                double seen = 0;
+                if (f > 0) {
+                    ++cost.rays;
+                    if (!visibility.occluded(x, link.receiver->quad, y, link.sender->quad))
+                        seen = f;
+                }
+                result.kernel[i][j] += f / per_stratum;
+                result.visible[i][j] += seen / per_stratum;
+                result.lowest = std::min(result.lowest, seen);
+                result.highest = std::max(result.highest, seen);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace lightwell

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/progress.h"
+#include "solver/transport/oracle.h"
+
+namespace lightwell {
+
+/// Carries out the verdicts of an oracle on every pair of elements: links start at whole quads and
+/// are refined in the sub-domains that the oracle names, until it keeps or drops them (WRT
+/// section 4.3). Kept links are recorded by their strata. Pairs are independent and run in
+/// parallel; the result does not depend on the number of threads.
+///
+/// @param quads    the scene's quads, by Element::quad: who may stand between
+/// @return the links of all pairs that have any, ordered by receiver, then sender
+/// @throws Interrupted if the progress says so
+std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
+                                    const std::vector<Quad>& quads, const Oracle& oracle,
+                                    const Progress& progress, OracleCost& cost);
+
+}  // namespace lightwell

@@ -1,0 +1,107 @@
+#include "solver/transport/shaft.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lightwell {
+
+namespace {
+
+/// Lowest and highest n.v over the vertices.
+template <typename Vertices>
+void extent(const Vertices& vertices, int count, const Vec3& n, double& lowest, double& highest) {
+    for (int i = 0; i < count; ++i) {
+        const double height = n.dot(vertices[static_cast<std::size_t>(i)]);
+        lowest = std::min(lowest, height);
+        highest = std::max(highest, height);
+    }
+}
+
+}  // namespace
+
+Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y) {
+    for (int i = 0; i < x.count; ++i)
+        box_.extend(x.vertex[i]);
+    for (int i = 0; i < y.count; ++i)
+        box_.extend(y.vertex[i]);
+    tolerance_ = 1e-9 * box_.sizes().maxCoeff();
+
+    // Rays leave to the front of both facets.
+    planes_.push_back({-x.normal, -x.normal.dot(x.vertex[0])});
+    planes_.push_back({-y.normal, -y.normal.dot(y.vertex[0])});
+
+    // Sides of the hull: planes through an edge of one facet and a vertex of the other with both
+    // facets on one side.
+    const auto add_sides = [&](const Facet& a, const Facet& b) {
+        for (int i = 0; i < a.count; ++i) {
+            const Vec3& start = a.vertex[i];
+            const Vec3 edge = a.vertex[(i + 1) % a.count] - start;
+            for (int j = 0; j < b.count; ++j) {
+                Vec3 n = edge.cross(b.vertex[j] - start);
+                const double length = n.norm();
+                if (!(length > 1e-12 * edge.norm() * box_.sizes().maxCoeff())) continue;
+                n /= length;
+                const double d = n.dot(start);
+                double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+                extent(a.vertex, a.count, n, lowest, highest);
+                extent(b.vertex, b.count, n, lowest, highest);
+                if (highest <= d + tolerance_)
+                    planes_.push_back({n, d});
+                else if (lowest >= d - tolerance_)
+                    planes_.push_back({-n, -d});
+            }
+        }
+    };
+    add_sides(x, y);
+    add_sides(y, x);
+}
+
+bool Shaft::may_be_cut_by(const Quad& quad) const {
+    Eigen::AlignedBox3d bounds;
+    for (const Vec3& corner : quad.vertex)
+        bounds.extend(corner);
+    if (!box_.intersects(bounds)) return false;
+    for (const Plane& plane : planes_) {
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        extent(quad.vertex, 4, plane.n, lowest, highest);
+        if (lowest >= plane.d - tolerance_) return false;
+    }
+    // A quad whose plane has both facets on one side stands beside every ray, at most touching its
+    // ends.
+    const Vec3 n = quad.normal();
+    const double d = n.dot(quad.vertex[0]);
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    extent(x_.vertex, x_.count, n, lowest, highest);
+    extent(y_.vertex, y_.count, n, lowest, highest);
+    return lowest < d - tolerance_ && highest > d + tolerance_;
+}
+
+bool Shaft::is_covered_by(const Quad& quad) const {
+    // The quad's plane must part the facets; then the shaft's section with that plane is the hull
+    // of the points where the segments between vertices cross it, and a convex quad that holds all
+    // of them holds the section.
+    const Vec3 n = quad.normal();
+    const double d = n.dot(quad.vertex[0]);
+    double low_x = std::numeric_limits<double>::infinity(), high_x = -low_x;
+    double low_y = low_x, high_y = high_x;
+    extent(x_.vertex, x_.count, n, low_x, high_x);
+    extent(y_.vertex, y_.count, n, low_y, high_y);
+    const bool parted = (high_x < d - tolerance_ && low_y > d + tolerance_) ||
+                        (low_x > d + tolerance_ && high_y < d - tolerance_);
+    if (!parted) return false;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec3 inward = n.cross(quad.vertex[(k + 1) % 4] - quad.vertex[k]);
+        const double bound = inward.dot(quad.vertex[k]);
+        for (int i = 0; i < x_.count; ++i) {
+            for (int j = 0; j < y_.count; ++j) {
+                const double from = n.dot(x_.vertex[i]) - d, to = n.dot(y_.vertex[j]) - d;
+                const Vec3 crossing =
+                    x_.vertex[i] + (from / (from - to)) * (y_.vertex[j] - x_.vertex[i]);
+                if (inward.dot(crossing) < bound) return false;
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace lightwell

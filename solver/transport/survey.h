@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/basis/radiance_space.h"
+#include "radiance4d/scene/visibility.h"
+#include "solver/transport/oracle.h"
+
+namespace lightwell {
+
+/// What one side of a quad sees, from a few hundred rays.
+struct SideSurvey {
+    double escaped =
+        0;  ///< share of the cosine-weighted hemisphere, averaged over the side, that meets nothing
+    double distance = 0;  ///< median distance of what is met [m], 0 if nothing is
+};
+
+/// Shoots `rays` cosine-distributed rays from points spread over each side. Deterministic,
+/// parallel.
+std::vector<SideSurvey> survey_sides(const std::vector<Element>& elements,
+                                     const Visibility& visibility, int rays, OracleCost& cost);
+
+}  // namespace lightwell
