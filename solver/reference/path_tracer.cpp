@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/failure.h"
@@ -83,9 +82,9 @@ IrradianceSurvey PathTracer::total(const std::vector<SurfacePoint>& points,
     return result;
 }
 
-IrradianceSurvey PathTracer::indirect_to(double relative_noise,
+IrradianceSurvey PathTracer::indirect_to(const NoiseTarget& target,
                                          const std::vector<SurfacePoint>& points,
-                                         const PathTracing& how, int most_samples) const {
+                                         const PathTracing& how) const {
     PathTracing trial_how = how;
     trial_how.seed = RandomStream(how.seed).bits();
     const IrradianceSurvey trial = indirect(points, trial_how);
@@ -93,18 +92,19 @@ IrradianceSurvey PathTracer::indirect_to(double relative_noise,
     double squares = 0;
     for (const IrradianceEstimate& one : trial.at)
         squares += std::pow(luminance(one.mean), 2);
-    const double floor =
-        points.empty() ? 0 : 0.1 * std::sqrt(squares / static_cast<double>(points.size()));
+    const auto count = static_cast<double>(std::max<std::size_t>(1, points.size()));
+    const double least_measure = target.floor * std::sqrt(squares / count);
 
     // A trial's own error is uncertain by an eighth with 32 batches: ask for a third more.
     const double margin = 1.33;
+    const double fewest = 4.0 * how.batches;
+    const double most = std::max(fewest, static_cast<double>(target.most_samples));
     std::vector<int> samples;
     for (const IrradianceEstimate& one : trial.at) {
-        const double allowed = relative_noise * std::max(luminance(one.mean), floor);
+        const double allowed = target.relative * std::max(luminance(one.mean), least_measure);
         const double excess = allowed > 0 ? luminance_error(one) / allowed : 0;
-        const double wanted = margin * how.samples * excess * excess;
-        samples.push_back(static_cast<int>(std::clamp(
-            wanted, 4.0 * how.batches, std::max(4.0 * how.batches, double(most_samples)))));
+        samples.push_back(
+            static_cast<int>(std::clamp(margin * how.samples * excess * excess, fewest, most)));
     }
     IrradianceSurvey result = survey(points, LightAsked::indirect, samples, how);
     result.rays += trial.rays;

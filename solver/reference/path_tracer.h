@@ -18,6 +18,17 @@ struct PathTracing {
     std::uint64_t seed = 1;
 };
 
+/// How much noise is welcome.
+struct NoiseTarget {
+    /// Standard error of luminance over the point's own mean, or over `floor` times the root mean
+    /// square of the means of all points, whichever allows more.
+    double relative = 0.01;
+    /// 0: every point to its own measure, however dark. 1: dark points only as far as they matter
+    /// for the root mean square error over the points, several times cheaper.
+    double floor = 0.1;
+    int most_samples = 1 << 20;  ///< per point, whatever the noise
+};
+
 /// Irradiance with its noise. Over repeated seeds the mean has no bias.
 struct IrradianceEstimate {
     Rgb mean = Rgb::Zero();  ///< [lx]
@@ -59,11 +70,10 @@ class PathTracer {
                            const PathTracing& how = {}) const;
 
     /// Indirect irradiance to a given noise. A trial run with how.samples paths tells how many each
-    /// point needs, at most `most_samples`; a fresh run, whose length its own outcome cannot
-    /// influence, is the answer. Noise is that of luminance, relative to the point's mean or a
-    /// tenth of the root mean square over all points, whichever is larger. rays counts both runs.
-    IrradianceSurvey indirect_to(double relative_noise, const std::vector<SurfacePoint>& points,
-                                 const PathTracing& how = {}, int most_samples = 1 << 20) const;
+    /// point needs; a fresh run, whose length its own outcome cannot influence, is the answer. rays
+    /// and paths count both runs.
+    IrradianceSurvey indirect_to(const NoiseTarget& target, const std::vector<SurfacePoint>& points,
+                                 const PathTracing& how = {}) const;
 
   private:
     IrradianceSurvey survey(const std::vector<SurfacePoint>& points, LightAsked asked,

@@ -220,7 +220,7 @@ TEST(PathTracer, ReachesTheNoiseItIsAskedFor) {
     const PathTracer tracer(scene, visibility, {lamp_at({1.2, 0.8, 2.4})});
     PathTracing how;
     how.samples = 256;
-    const IrradianceSurvey survey = tracer.indirect_to(0.01, grid_on(scene, floor_z0, 4), how);
+    const IrradianceSurvey survey = tracer.indirect_to({0.01}, grid_on(scene, floor_z0, 4), how);
     int noisy = 0;
     for (const IrradianceEstimate& one : survey.at)
         if (one.standard_error[0] > 0.013 * one.mean[0]) ++noisy;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/reference/path_tracer.h"
+
+namespace lightwell {
+
+/// How far a solver's values lie from a noisy reference.
+struct Deviation {
+    /// Relative root mean square difference, sqrt(sum d^2 / sum E^2) over points and channels, with
+    /// the part that the reference's noise makes up taken out (its expectation, on both sums); 0
+    /// where nothing is left.
+    double relative_rms = 0;
+    /// The reference's own noise in the same measure. A relative_rms well below it is not known
+    /// well: its square is uncertain by about noise^2 sqrt(2 / values).
+    double noise = 0;
+};
+
+/// Compares irradiances [lx] point by point; both lists have the same length.
+Deviation deviation_from(const std::vector<IrradianceEstimate>& reference,
+                         const std::vector<Rgb>& values);
+
+}  // namespace lightwell

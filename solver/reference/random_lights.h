@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "radiance4d/scene/scene.h"
+#include "radiance4d/scene/visibility.h"
+
+namespace lightwell {
+
+/// Where "anywhere in the scene" is.
+struct LightPlacement {
+    /// Least distance to every quad, as a share of the diagonal of the scene's bounding box.
+    double clearance = 0.02;
+    /// Directions, even over the sphere, in which a position looks round.
+    int directions = 64;
+    /// Least share of them that must meet a reflecting side: keeps out of the open.
+    double surrounded = 1.0 / 3;
+    /// Largest share that may meet a black back: keeps out of solids whose material reflects in
+    /// front only.
+    double hidden = 0.05;
+    /// A space is a set of positions linked by lines of sight. Spaces with fewer positions than
+    /// this share of the largest one's are left dark: keeps out of closed furniture and blocks
+    /// whichever way their faces point. Two closed rooms of like size are both lit.
+    double smallest_space = 0.2;
+    /// Positions among which spaces are told apart.
+    int candidates = 512;
+};
+
+/// `count` isotropic lights of intensity (1,1,1) cd, uniform over the volume that the placement
+/// allows within the bounding box; the same for the same seed.
+/// @throws InputError if the scene has no such volume (or less than about 1/200 of its box).
+std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visibility, int count,
+                                      std::uint64_t seed, const LightPlacement& placement = {});
+
+/// Shortest distance from a point to a convex planar quad [m].
+double distance_to(const Quad& quad, const Vec3& point);
+
+}  // namespace lightwell
