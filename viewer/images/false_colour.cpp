@@ -55,6 +55,23 @@ void draw_contours(Image& picture, const Image& light, double maximum, int divis
         }
 }
 
+/// Whether a number is written with two digits and zeros at most.
+bool has_two_digits(double value) {
+    const double hundredfold = value / std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::abs(hundredfold - std::round(hundredfold)) < 1e-9 * hundredfold;
+}
+
+int divisions_of(const FalseColour& style, double maximum) {
+    if (style.divisions) return *style.divisions;
+    return !has_two_digits(maximum / 8) && has_two_digits(maximum / 10) ? 10 : 8;
+}
+
+bool exceeds(const Image& light, double maximum) {
+    return std::any_of(light.pixels().begin(), light.pixels().end(), [=](const Image::Pixel& p) {
+        return static_cast<double>(luminance(p)) > maximum;
+    });
+}
+
 std::string label(double value) {
     return value >= 10000 ? fmt::format("{:.4g}k", value / 1000) : fmt::format("{:.4g}", value);
 }
@@ -66,16 +83,17 @@ struct LegendLayout {
     int text_left, width, height;
 };
 
-LegendLayout layout_of(int picture_height, const std::vector<std::string>& labels) {
-    std::size_t longest = 0;
-    for (const std::string& text : labels)
+LegendLayout layout_of(int picture_height, const std::vector<std::string>& numbers,
+                       const std::string& unit) {
+    std::size_t longest = unit.size();
+    for (const std::string& text : numbers)
         longest = std::max(longest, text.size());
     LegendLayout layout;
-    layout.dot = std::max(1, picture_height / 400);
+    layout.dot = std::max(1, picture_height / 360);
     layout.margin = 4 * layout.dot;
     layout.line_height = (glyph_height + 3) * layout.dot;
     layout.bar_width = 12 * layout.dot;
-    layout.bar_height = std::max((static_cast<int>(labels.size()) - 1) * layout.line_height,
+    layout.bar_height = std::max(static_cast<int>(numbers.size()) * layout.line_height,
                                  std::min(picture_height / 2, 250 * layout.dot));
     layout.text_left = 2 * layout.margin + layout.bar_width;
     layout.width =
@@ -84,28 +102,25 @@ LegendLayout layout_of(int picture_height, const std::vector<std::string>& label
     return layout;
 }
 
-void draw_legend(Image& picture, double maximum, const FalseColour& style) {
-    std::vector<std::string> labels;
-    for (int k = 0; k <= style.divisions; ++k)
-        labels.push_back(label(maximum * k / style.divisions));
-    labels.push_back(style.unit);
-    const LegendLayout at = layout_of(picture.height(), labels);
+/// Draws the ramp with a number at every tick, from the bottom up, and the unit above.
+void draw_legend(Image& picture, const std::vector<std::string>& numbers, const std::string& unit) {
+    const int divisions = static_cast<int>(numbers.size()) - 1;
+    const LegendLayout at = layout_of(picture.height(), numbers, unit);
     if (at.width > picture.width() || at.height > picture.height()) return;
-    labels.pop_back();
 
     const Image::Pixel paper = Image::Pixel::Constant(0.01f);
     const Image::Pixel ink = Image::Pixel::Ones();
     fill_rectangle(picture, 0, 0, at.width, at.height, paper);
-    draw_text(picture, at.text_left, at.margin, style.unit, ink, at.dot);
+    draw_text(picture, at.text_left, at.margin, unit, ink, at.dot);
     const int top = at.margin + at.line_height + at.line_height / 2;
     for (int row = 0; row < at.bar_height; ++row)
         fill_rectangle(picture, at.margin, top + row, at.bar_width, 1,
                        ramp_colour(1 - (row + 0.5) / at.bar_height));
-    for (int k = 0; k <= style.divisions; ++k) {
-        const int y = top + at.bar_height - at.bar_height * k / style.divisions;
+    for (int k = 0; k <= divisions; ++k) {
+        const int y = top + at.bar_height - at.bar_height * k / divisions;
         fill_rectangle(picture, at.margin + at.bar_width, y, at.margin / 2, at.dot, ink);
         draw_text(picture, at.text_left, y - glyph_height * at.dot / 2,
-                  labels[static_cast<std::size_t>(k)], ink, at.dot);
+                  numbers[static_cast<std::size_t>(k)], ink, at.dot);
     }
 }
 
@@ -125,23 +140,29 @@ double automatic_maximum(const Image& light) {
         if (value > 0 && std::isfinite(value)) values.push_back(value);
     }
     if (values.empty()) return 1;
-    // The smallest value that 99 % of the pixels do not exceed.
-    const std::size_t rank = (values.size() * 99 + 99) / 100 - 1;
+    // The smallest value that 95 % of the pixels do not exceed.
+    const std::size_t rank = (values.size() * 95 + 99) / 100 - 1;
     const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(values.begin(), nth, values.end());
     return round_number_from(static_cast<double>(*nth));
 }
 
 Image false_coloured(const Image& light, const FalseColour& style) {
-    LIGHTWELL_CHECK_OP(style.divisions, >=, 1);
     const double maximum = style.maximum ? *style.maximum : automatic_maximum(light);
     LIGHTWELL_CHECK_OP(maximum, >, 0);
+    const int divisions = divisions_of(style, maximum);
+    LIGHTWELL_CHECK_OP(divisions, >=, 1);
     Image picture = light;
     for (Image::Pixel& pixel : picture.pixels())
         if (pixel.isFinite().all())
             pixel = ramp_colour(static_cast<double>(luminance(pixel)) / maximum);
-    if (style.contours) draw_contours(picture, light, maximum, style.divisions);
-    if (style.legend) draw_legend(picture, maximum, style);
+    if (style.contours) draw_contours(picture, light, maximum, divisions);
+    if (!style.legend) return picture;
+    std::vector<std::string> numbers;
+    for (int k = 0; k <= divisions; ++k)
+        numbers.push_back(label(maximum * k / divisions));
+    if (exceeds(light, maximum)) numbers.back() = ">" + numbers.back();
+    draw_legend(picture, numbers, style.unit);
     return picture;
 }
 

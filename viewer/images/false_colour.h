@@ -12,8 +12,9 @@ struct FalseColour {
     /// The value at the top of the ramp, in the picture's unit, positive; automatic_maximum() where
     /// it is not given.
     std::optional<double> maximum;
-    /// Parts of the ramp between numbers of the legend, and between contours; at least 1.
-    int divisions = 8;
+    /// Parts of the ramp between numbers of the legend, and between contours, at least 1. Where it
+    /// is not given: 8, or 10 if only that gives numbers of at most two digits (and zeros).
+    std::optional<int> divisions;
     /// Draw a line where the value passes a number of the legend.
     bool contours = false;
     /// Draw the ramp with its numbers over the left of the picture.
@@ -27,8 +28,8 @@ struct FalseColour {
 Image::Pixel ramp_colour(double t);
 
 /// A round number (1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten) that is not below the luminance
-/// of 99 % of the pixels that have a positive finite one; 1 if there are none. The brightest
-/// hundredth, around lamps, is left out because it would darken all the rest.
+/// of 95 % of the pixels that have a positive finite one; 1 if there are none. The brightest
+/// twentieth, around lamps, is left out because it would darken all the rest.
 double automatic_maximum(const Image& light);
 
 /// Maps the luminance of every pixel, from 0 to the maximum, to the ramp. The result is the linear

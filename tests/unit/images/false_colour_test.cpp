@@ -40,14 +40,17 @@ TEST(FalseColour, TheRampCanBeReadInGrey) {
     EXPECT_TRUE(same(ramp_colour(2), ramp_colour(1)));
 }
 
-TEST(FalseColour, TheAutomaticMaximumIsRoundAndPassesOverTheBrightestHundredth) {
+TEST(FalseColour, TheAutomaticMaximumIsRoundAndPassesOverTheBrightestTwentieth) {
     Image light = slope(1000, 1, 730);
     EXPECT_DOUBLE_EQ(automatic_maximum(light), 800);
-    for (int x = 0; x < 9; ++x)
+    for (int x = 0; x < 49; ++x)
         light.at(x, 0).setConstant(1e6f);
     EXPECT_DOUBLE_EQ(automatic_maximum(light), 800);
     light.at(500, 0).setConstant(std::numeric_limits<float>::quiet_NaN());
     EXPECT_DOUBLE_EQ(automatic_maximum(light), 800);
+    for (int x = 49; x < 60; ++x)
+        light.at(x, 0).setConstant(1e6f);
+    EXPECT_DOUBLE_EQ(automatic_maximum(light), 1e6);
     EXPECT_DOUBLE_EQ(automatic_maximum(slope(1, 1, 0.0026)), 0.0015);
     EXPECT_DOUBLE_EQ(automatic_maximum(Image(5, 5)), 1);
 }
@@ -70,9 +73,21 @@ TEST(FalseColour, ContoursStandBetweenTheParts) {
     style.maximum = 800;
     style.legend = false;
     style.contours = true;
-    const Image picture = false_coloured(light, style);
+    const auto has_line = [&](const Image& picture, int x) {
+        return same(picture.at(x, 1), Image::Pixel::Zero());
+    };
+    const Image eight = false_coloured(light, style);
     for (int x = 0; x + 1 < 80; ++x)
-        EXPECT_EQ(same(picture.at(x, 1), Image::Pixel::Zero()), x % 10 == 9) << x;
+        EXPECT_EQ(has_line(eight, x), x % 10 == 9) << x;
+    // 1000 / 8 is 125, so it is cut into ten: 800 lies at 8 of 10.
+    style.maximum = 1000;
+    const Image ten = false_coloured(light, style);
+    for (int x = 0; x + 1 < 80; ++x)
+        EXPECT_EQ(has_line(ten, x), x % 10 == 9) << x;
+    style.divisions = 5;
+    const Image five = false_coloured(light, style);
+    for (int x = 0; x + 1 < 80; ++x)
+        EXPECT_EQ(has_line(five, x), x % 20 == 19) << x;
 }
 
 TEST(FalseColour, TheLegendShowsTheWholeRampUpright) {
