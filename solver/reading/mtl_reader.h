@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiance4d/scene/material.h"
+#include "solver/reading/reading_report.h"
+
+namespace lightwell {
+
+/// What a file says about a material; the rest is left to another source or to the defaults.
+struct MaterialDescription {
+    std::string name;
+    Place place;
+    std::optional<Rgb> reflectance;  ///< in [0,1]
+    std::optional<Rgb> emission;     ///< luminance [cd/m2], >= 0
+    std::optional<Sides> reflecting;
+    std::optional<Sides> emitting;
+};
+
+/// Reads a Wavefront MTL file: Kd is the diffuse reflectance, Ke the emitted luminance [cd/m2],
+/// each one number (grey) or three. Everything else is passed over; gloss (Ks), textures and
+/// transparency are named in a warning, because the surfaces will look different without them.
+/// @throws InputError with file, line and column, also for a reflectance outside [0,1] and a
+/// negative emission.
+std::vector<MaterialDescription> read_mtl(const std::string& path, std::vector<Warning>& warnings);
+
+}  // namespace lightwell

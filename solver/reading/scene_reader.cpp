@@ -1,0 +1,148 @@
+#include "solver/reading/scene_reader.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "solver/reading/input_file.h"
+#include "solver/reading/material_choice.h"
+#include "solver/reading/mesh_reader.h"
+#include "solver/reading/quads_from_polygons.h"
+#include "solver/reading/scene_tables.h"
+
+namespace lightwell {
+
+namespace {
+
+/// What a scene file says about its geometry.
+struct GeometryChoice {
+    std::string file;
+    double metres_per_unit = 1;
+    std::vector<MaterialDescription> materials;
+    std::string default_material;
+};
+
+double unit_from(const TomlTable& file) {
+    static const std::map<std::string, double> metres = {
+        {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}};
+    if (!file.is_text("unit")) {
+        const double unit = file.number("unit");
+        if (!(unit >= 1e-9 && unit <= 1e9))
+            file.fail("unit", fmt::format("unit {} is not within 1e-9 and 1e9 metres", unit));
+        return unit;
+    }
+    const std::string name = file.text("unit");
+    const auto found = metres.find(name);
+    if (found == metres.end())
+        file.fail("unit",
+                  "unit must be \"m\", \"cm\", \"mm\", \"in\", \"ft\" or a number of "
+                  "metres, not " +
+                      in_quotes(name));
+    return found->second;
+}
+
+Vec3 up_from(const TomlTable& file) {
+    const std::string axis = file.text("up");
+    if (axis == "x") return Vec3::UnitX();
+    if (axis == "y") return Vec3::UnitY();
+    if (axis == "z") return Vec3::UnitZ();
+    file.fail("up", "up must be \"x\", \"y\" or \"z\", not " + in_quotes(axis));
+}
+
+std::string default_material_from(const TomlTable& file,
+                                  const std::vector<MaterialDescription>& materials) {
+    const std::string name = file.text("default_material");
+    for (const MaterialDescription& material : materials)
+        if (material.name == name) return name;
+    file.fail("default_material",
+              fmt::format("there is no [material.{}] in the file", in_quotes(name)));
+}
+
+/// Reads the scene file itself into `scene` and says where the geometry is.
+GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
+    const TomlTable file = TomlTable::read(path);
+    GeometryChoice geometry;
+    if (file.has("name")) scene.name = file.text("name");
+    geometry.file = (std::filesystem::path(path).parent_path() / file.text("geometry")).string();
+    if (!is_mesh_file(geometry.file))
+        file.fail("geometry",
+                  "geometry must be an .obj or .ply file, not " + in_quotes(file.text("geometry")));
+    if (file.has("unit")) geometry.metres_per_unit = unit_from(file);
+    if (file.has("up")) scene.up = up_from(file);
+    geometry.materials = materials_from(file);
+    if (file.has("default_material"))
+        geometry.default_material = default_material_from(file, geometry.materials);
+    scene.lights = lights_from(file);
+    if (file.has("camera")) scene.camera = camera_from(file.table("camera"), scene.up);
+    scene.sensor_grids = sensor_grids_from(file);
+    file.refuse_unknown_keys();
+    return geometry;
+}
+
+void read_geometry(const GeometryChoice& geometry, ReadScene& read) {
+    const PolygonSoup soup = read_mesh(geometry.file);
+    std::vector<Warning>& warnings = read.report.warnings;
+    warnings = soup.warnings;
+    MaterialChoice choice =
+        choose_materials(soup, geometry.materials, geometry.default_material, warnings);
+    QuadsOfPolygons made = quads_from_polygons(soup, geometry.metres_per_unit);
+    warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
+    read.report.counts = made.counts;
+    if (made.quads.empty())
+        throw InputError(Place{geometry.file}, "no polygon of the file has an area");
+    for (SceneQuad& quad : made.quads)
+        quad.material = quad.material < 0 ? choice.of_unnamed
+                                          : choice.of_soup[static_cast<std::size_t>(quad.material)];
+    read.scene.geometry_file = geometry.file;
+    read.scene.materials = std::move(choice.materials);
+    read.scene.quads = std::move(made.quads);
+}
+
+/// A file of lights, a camera and sensors, all of them checked, whichever is wanted.
+struct Extras {
+    std::optional<std::vector<Light>> lights;
+    std::optional<Camera> camera;
+};
+
+Extras read_extras(const TomlTable& file, const Vec3& up) {
+    Extras extras;
+    if (file.has("light")) extras.lights = lights_from(file);
+    if (file.has("camera")) extras.camera = camera_from(file.table("camera"), up);
+    sensor_grids_from(file);
+    file.refuse_unknown_keys();
+    return extras;
+}
+
+}  // namespace
+
+ReadScene read_scene(const std::string& path) {
+    ReadScene read;
+    read.scene.name = std::filesystem::path(path).stem().string();
+    GeometryChoice geometry;
+    geometry.file = path;
+    if (std::filesystem::path(path).extension() == ".toml")
+        geometry = read_scene_file(path, read.scene);
+    else if (!is_mesh_file(path))
+        throw InputError(Place{path},
+                         "a scene is a scene file (.toml) or a geometry file (.obj, "
+                         ".ply); convert other formats to one of these");
+    read_geometry(geometry, read);
+    return read;
+}
+
+std::vector<Light> read_lights(const std::string& path) {
+    const Extras extras = read_extras(TomlTable::read(path), Vec3::UnitZ());
+    if (!extras.lights)
+        throw InputError(Place{path}, "no [[light]] in the file (for none at all say light = [])");
+    return *extras.lights;
+}
+
+Camera read_camera(const std::string& path, const Vec3& up) {
+    const Extras extras = read_extras(TomlTable::read(path), up);
+    if (!extras.camera) throw InputError(Place{path}, "no [camera] in the file");
+    return *extras.camera;
+}
+
+}  // namespace lightwell
