@@ -1,0 +1,36 @@
+#include "runtime/propagation/lighting.h"
+
+#include "radiance4d/operator/light_projection.h"
+
+namespace lightwell {
+
+Lighting light_scene(const GlobalTransport& transport, const std::vector<Light>& lights,
+                     const std::vector<Quad>& quads, const OccluderTree& occluders,
+                     Propagation propagation) {
+    Lighting lighting;
+    lighting.direct = projected_lights(transport.space, lights, quads, occluders) +
+                      propagated(transport.bounce, emission_of(transport.scene, transport.space));
+    switch (propagation) {
+        case Propagation::stored:
+            lighting.indirect = global_light(transport, lighting.direct) - lighting.direct;
+            break;
+        case Propagation::gathered:
+            lighting.indirect = gathered_light(transport, lighting.direct);
+            break;
+        case Propagation::solved:
+            lighting.indirect = solved_light(transport, lighting.direct);
+            break;
+    }
+    return lighting;
+}
+
+std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
+                                             const RadianceField& field) {
+    std::vector<SmoothSurface> surfaces;
+    surfaces.reserve(space.elements().size());
+    for (std::size_t e = 0; e < space.elements().size(); ++e)
+        surfaces.emplace_back(space.element(e).space.tree(), cell_irradiance(space, e, field));
+    return surfaces;
+}
+
+}  // namespace lightwell

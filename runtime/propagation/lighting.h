@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/basis/smooth_surface.h"
+#include "radiance4d/operator/global_transport.h"
+#include "radiance4d/scene/occluder_tree.h"
+
+namespace lightwell {
+
+/// How the indirect light is found from the stored operators.
+enum class Propagation {
+    stored,    ///< H E: the global transport operator as it is
+    gathered,  ///< T (E + H E): one last bounce at full resolution
+    solved,    ///< iterated on the bounce operator until it is exact
+};
+
+/// The light in a scene for one set of lamps: half-density fields of irradiance on all elements.
+struct Lighting {
+    RadianceField direct;    ///< E, from lamps and emitting quads
+    RadianceField indirect;  ///< X - E
+};
+
+/// Projects the lamps and the scene's emitting quads, and propagates them.
+Lighting light_scene(const GlobalTransport& transport, const std::vector<Light>& lights,
+                     const std::vector<Quad>& quads, const OccluderTree& occluders,
+                     Propagation propagation);
+
+/// Smooth irradiance [lx] over every element, by element number.
+std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
+                                             const RadianceField& field);
+
+}  // namespace lightwell

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "radiance4d/operator/global_transport.h"
+#include "radiance4d/progress.h"
+#include "solver/transport/closure.h"
+
+namespace lightwell {
+
+enum class OracleKind { geometric, variation };
+
+/// What a user may ask of the precomputation. `error` decides everything that is not set by hand.
+struct PrecomputeOptions {
+    /// Target relative rms error of indirect illuminance as a picture shows it, in (0, 0.5].
+    double error = 0.05;
+    OracleKind oracle = OracleKind::geometric;
+    /// Largest side of a finest cell [m]; > 0.
+    std::optional<double> cell_size;
+    /// GeometricOracleOptions::tolerance or both thresholds of VariationOracleOptions; >= 0.
+    std::optional<double> oracle_tolerance;
+    /// Relative error that left-out coefficients may make; >= 0, 0 keeps everything.
+    std::optional<double> truncation;
+    /// Memory that the computation may take [bytes].
+    std::uint64_t max_memory = std::uint64_t{8} << 30;
+};
+
+/// What it did and cost.
+struct PrecomputeReport {
+    std::uint64_t elements = 0;
+    std::uint64_t blind_sides = 0;  ///< sides dropped because they see no other side
+    std::uint64_t cells = 0;        ///< finest cells of all elements
+    std::uint64_t links_judged = 0;
+    std::uint64_t coefficients_before = 0;  ///< of M before truncation
+    ClosureReport closure;
+    std::map<std::string, double> seconds;  ///< by stage, with "total"
+};
+
+/// The offline pipeline: elements, links, direct transport operator, Neumann series (WRT
+/// sections 4.2 to 4.4).
+///
+/// @throws InputError    if the scene cannot be computed within max_memory (said before it starts
+/// in earnest)
+/// @throws Interrupted   if the progress says so
+GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
+                           const Progress& progress, PrecomputeReport& report);
+
+}  // namespace lightwell

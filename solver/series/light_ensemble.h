@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/operator/radiance_field.h"
+#include "radiance4d/operator/transport_operator.h"
+#include "radiance4d/scene/occluder_tree.h"
+#include "radiance4d/scene/visibility.h"
+
+namespace lightwell {
+
+/// How much light a basis function can be expected to carry, over point lights anywhere in the
+/// scene.
+struct LightEnsemble {
+    /// Root mean square, over the lights, of the coefficients of the direct light: what the columns
+    /// of H see.
+    Eigen::ArrayXd direct;
+    /// The same of all light, direct and indirect: what the columns of the bounce operator see.
+    Eigen::ArrayXd total;
+};
+
+/// Positions for lights: points on random rays between visible surfaces, at least a tenth of the
+/// ray away from either end, so that they fall where there is room. Deterministic for a seed.
+std::vector<Vec3> positions_in_the_open(const RadianceSpace& space, const Visibility& visibility,
+                                        int count, unsigned seed);
+
+/// Projects white unit lights and takes root mean squares, each light scaled so that its indirect
+/// light, estimated on whole elements with `mean_bounce` (the coefficients of M between whole
+/// elements) and `reflectance` (by element), has norm one: then a weighted coefficient is an error
+/// relative to the indirect light. Costs no rays but for the positions.
+LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>& quads,
+                             const OccluderTree& occluders, const std::vector<Vec3>& positions,
+                             const SymmetricOperator& mean_bounce,
+                             const Eigen::ArrayXd& reflectance);
+
+}  // namespace lightwell

@@ -1,0 +1,127 @@
+#include "solver/series/neumann_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/failure.h"
+
+namespace lightwell {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+bool kept(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value) {
+    return std::abs(value) * rule.weight[column] >= rule.threshold ||
+           (rule.is_mean[static_cast<std::size_t>(row)] &&
+            rule.is_mean[static_cast<std::size_t>(column)]);
+}
+
+/// One column of a matrix being put together.
+struct Column {
+    std::vector<int> row;
+    std::vector<double> value;
+};
+
+Sparse assembled(Eigen::Index size, const std::vector<Column>& columns) {
+    Sparse matrix(size, size);
+    std::size_t count = 0;
+    for (const Column& column : columns)
+        count += column.row.size();
+    matrix.reserve(static_cast<Eigen::Index>(count));
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+        matrix.startVec(static_cast<Eigen::Index>(j));
+        for (std::size_t k = 0; k < columns[j].row.size(); ++k)
+            matrix.insertBack(columns[j].row[k], static_cast<Eigen::Index>(j)) =
+                columns[j].value[k];
+    }
+    matrix.finalize();
+    return matrix;
+}
+
+/// A dense column with the list of rows that were touched.
+struct Accumulator {
+    std::vector<double> value;
+    std::vector<char> is_touched;
+    std::vector<int> touched;
+
+    void add(int row, double amount) {
+        const auto r = static_cast<std::size_t>(row);
+        if (is_touched[r] == 0) {
+            is_touched[r] = 1;
+            touched.push_back(row);
+        }
+        value[r] += amount;
+    }
+};
+
+double largest_weighted(const Sparse& matrix, const TruncationRule& rule) {
+    double largest = 0;
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        for (Sparse::InnerIterator it(matrix, j); it; ++it)
+            largest = std::max(largest, std::abs(it.value()) * rule.weight[j]);
+    return largest;
+}
+
+}  // namespace
+
+Sparse truncated(const Sparse& matrix, const TruncationRule& rule) {
+    Sparse result = matrix;
+    result.prune([&](const Eigen::Index& row, const Eigen::Index& column, const double& value) {
+        return kept(rule, row, column, value);
+    });
+    return result;
+}
+
+Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule& rule) {
+    const auto n = static_cast<std::size_t>(a.rows());
+    std::vector<Column> columns(n);
+    tbb::enumerable_thread_specific<Accumulator> accumulators([n] {
+        return Accumulator{std::vector<double>(n, 0.0), std::vector<char>(n, 0), {}};
+    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const auto& range) {
+        Accumulator& sum = accumulators.local();
+        for (std::size_t j = range.begin(); j != range.end(); ++j) {
+            for (Sparse::InnerIterator ib(b, static_cast<Eigen::Index>(j)); ib; ++ib)
+                for (Sparse::InnerIterator ia(a, ib.row()); ia; ++ia)
+                    sum.add(static_cast<int>(ia.row()), ia.value() * ib.value());
+            std::sort(sum.touched.begin(), sum.touched.end());
+            for (const int row : sum.touched) {
+                const auto r = static_cast<std::size_t>(row);
+                if (kept(rule, row, static_cast<Eigen::Index>(j), sum.value[r])) {
+                    columns[j].row.push_back(row);
+                    columns[j].value.push_back(sum.value[r]);
+                }
+                sum.value[r] = 0;
+                sum.is_touched[r] = 0;
+            }
+            sum.touched.clear();
+        }
+    });
+    return assembled(a.rows(), columns);
+}
+
+NeumannSeries neumann_series(const Sparse& transport, const TruncationRule& rule,
+                             const Progress& progress) {
+    constexpr int most_doublings = 24;
+    NeumannSeries series{truncated(transport, rule), 1};
+    Sparse power = series.sum;
+    // Even without truncation the series ends where a power no longer shows in the sum.
+    const double smallest = std::max(rule.threshold, 1e-9 * largest_weighted(power, rule));
+    for (int doubling = 0; doubling < most_doublings; ++doubling) {
+        if (!(largest_weighted(power, rule) > smallest)) break;
+        progress.check();
+        const Sparse next = truncated_product(power, series.sum, rule);
+        power = truncated_product(power, power, rule);
+        series.sum = truncated(series.sum + next, rule);
+        series.bounces *= 2;
+    }
+    return series;
+}
+
+}  // namespace lightwell

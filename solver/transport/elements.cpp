@@ -1,0 +1,74 @@
+#include "solver/transport/elements.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lightwell {
+
+namespace {
+
+/// Whether any quad reaches in front of the plane of `side`.
+bool has_company(const Quad& side, const std::vector<SceneQuad>& quads) {
+    const Vec3 n = side.normal();
+    const double height = n.dot(side.vertex[0]);
+    const double tolerance = 1e-9 * (side.vertex[2] - side.vertex[0]).norm();
+    for (const SceneQuad& other : quads)
+        for (const Vec3& corner : other.quad.vertex)
+            if (n.dot(corner) - height > tolerance) return true;
+    return false;
+}
+
+}  // namespace
+
+std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind) {
+    std::vector<Element> elements;
+    blind = 0;
+    for (std::size_t q = 0; q < scene.quads.size(); ++q) {
+        const Material& material = scene.material_of(static_cast<int>(q));
+        for (const bool front : {true, false}) {
+            if (!front && material.reflecting == Sides::front && material.emitting == Sides::front)
+                continue;
+            Element element;
+            element.quad = static_cast<int>(q);
+            element.front = front;
+            element.geometry = front ? scene.quads[q].quad : scene.quads[q].quad.reversed();
+            if (!has_company(element.geometry, scene.quads)) {
+                ++blind;
+                continue;
+            }
+            element.space = HaarBasis(element.geometry, CellTree());
+            elements.push_back(std::move(element));
+        }
+    }
+    return elements;
+}
+
+void set_cells(std::vector<Element>& elements, double cell_size, int most_levels) {
+    for (Element& element : elements) {
+        const std::array<Vec3, 4>& p = element.geometry.vertex;
+        const double along_u = std::max((p[1] - p[0]).norm(), (p[2] - p[3]).norm());
+        const double along_v = std::max((p[3] - p[0]).norm(), (p[2] - p[1]).norm());
+        element.space =
+            HaarBasis(element.geometry, tree_for_extents(along_u, along_v, cell_size, most_levels));
+    }
+}
+
+double typical_distance(const std::vector<Element>& elements,
+                        const std::vector<SideSurvey>& survey) {
+    std::vector<std::pair<double, double>> by_distance;
+    double area = 0;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        if (!(survey[e].distance > 0)) continue;
+        by_distance.emplace_back(survey[e].distance, elements[e].area());
+        area += elements[e].area();
+    }
+    std::sort(by_distance.begin(), by_distance.end());
+    double up_to = 0;
+    for (const auto& [distance, a] : by_distance) {
+        up_to += a;
+        if (up_to >= 0.5 * area) return distance;
+    }
+    return 0;
+}
+
+}  // namespace lightwell

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/basis/radiance_space.h"
+#include "solver/transport/survey.h"
+
+namespace lightwell {
+
+/// One element, not refined yet, for each side of a quad that reflects or emits and that has
+/// something in front of it. A side from which no other quad can be seen is dropped at once and
+/// costs nothing.
+///
+/// @param blind  receives the number of sides dropped
+std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind);
+
+/// Gives every element its cells, at most `cell_size` [m] along either side of the quad, at most
+/// `most_levels` levels.
+void set_cells(std::vector<Element>& elements, double cell_size, int most_levels);
+
+/// The distance that light typically travels between surfaces [m]: the median over all area of
+/// SideSurvey::distance.
+double typical_distance(const std::vector<Element>& elements,
+                        const std::vector<SideSurvey>& survey);
+
+}  // namespace lightwell
