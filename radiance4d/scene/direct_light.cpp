@@ -14,13 +14,6 @@ namespace {
 /// Rounding error of the difference of two points, relative to their largest coordinate.
 constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
 
-double largest_coordinate(const Vec3& point, const Quad& quad) {
-    double largest = point.cwiseAbs().maxCoeff();
-    for (const Vec3& vertex : quad.vertex)
-        largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
-    return largest;
-}
-
 }  // namespace
 
 DirectLight::DirectLight(const Scene& scene, const Visibility& visibility,
@@ -65,7 +58,6 @@ Rgb DirectLight::from_emitter(const Vec3& point, const Vec3& normal, int on_quad
     const Quad& quad = scene_.quads[static_cast<std::size_t>(emitter)].quad;
     const Material& material = scene_.material_of(emitter);
     const double height = quad.normal().dot(point - quad.centre());
-    if (!(std::abs(height) > rounding * largest_coordinate(point, quad))) return Rgb::Zero();
     if (height < 0 && material.emitting == Sides::front) return Rgb::Zero();
 
     const Plane horizon{normal, normal.dot(point)};
@@ -81,6 +73,7 @@ Rgb DirectLight::from_emitter(const Vec3& point, const Vec3& normal, int on_quad
     for (const int candidate : candidates)
         shadows.emplace_back(point, scene_.quads[static_cast<std::size_t>(candidate)].quad);
 
+    // From the emitter's own plane no part is visible, and the factor stays 0.
     double factor = 0;
     for (const ConvexPolygon& piece : visible_part(point, target, std::move(shadows)))
         factor += point_form_factor(point, normal, piece);

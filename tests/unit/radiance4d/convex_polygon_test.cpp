@@ -47,6 +47,11 @@ TEST(ConvexPolygon, SliversAndTouchingPlanesLeaveThePolygonWhole) {
         EXPECT_EQ(sliver.outside.size(), 4);
         const CutPolygon thin = cut(square, Plane{Vec3::UnitX(), (1 - 1e-9) * scale});
         EXPECT_NEAR(thin.inside.area(), 1e-9 * scale * scale, 1e-15 * scale * scale);
+        ConvexPolygon needle;
+        needle.append(Vec3::Zero());
+        needle.append(scale * Vec3(1, 0, 0));
+        needle.append(scale * Vec3(1, 1e-15, 0));
+        EXPECT_TRUE(clipped(needle, Plane{Vec3::UnitX(), 0.5 * scale}).empty());
         const CutPolygon in_plane = cut(square, Plane{Vec3::UnitZ(), 0});
         EXPECT_TRUE(in_plane.inside.empty());
         EXPECT_EQ(in_plane.outside.size(), 4);

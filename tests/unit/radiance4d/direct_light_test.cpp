@@ -181,6 +181,19 @@ TEST(DirectLight, DegeneratePlacesAreFinite) {
     EXPECT_NEAR(room.irradiance(x + 1e-9 * up, -up, free_point)[0], 1000 * M_PI, 1e-3);
 }
 
+TEST(DirectLight, InAnEmittersPlaneUpToRoundingIsDark) {
+    std::mt19937 random(47);
+    const Quad lamp = placed(level_rectangle(-1, 1, -1, 1, 0), some_turn(), Vec3(30, -20, 10));
+    Room room({});
+    room.with_lamp(lamp, 1000, Sides::both);
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 where = random_point(random);
+        const Vec3 x = lamp.point(where[0], where[1]);
+        EXPECT_EQ(room.irradiance(x, lamp.normal(), free_point)[0], 0);
+        EXPECT_EQ(room.irradiance(x, -lamp.normal(), free_point)[0], 0);
+    }
+}
+
 // Closure with shadows: a room whose walls all emit L gives pi L everywhere, whatever stands in it,
 // if what stands there emits too.
 TEST(DirectLight, AGlowingRoomWithGlowingThingsIsUniform) {

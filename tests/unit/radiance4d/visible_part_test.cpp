@@ -168,6 +168,20 @@ TEST(VisiblePart, OnlyWhatStandsBetweenHides) {
     EXPECT_TRUE(visible_part(Vec3(5, 0, 2), target, {}, {}).empty());
 }
 
+TEST(VisiblePart, CullingLeavesOutWhatIsBehindOrBeside) {
+    const Vec3 x(0, 0, 0);
+    // Aslant, so that no side of the pyramid's bounding box decides.
+    const ConvexPolygon target(Quad{{Vec3(1, 1, 3), Vec3(3, 1, 1), Vec3(3, 3, 1), Vec3(1, 3, 3)}});
+    const auto small_at = [](double px, double py, double pz) {
+        const double h = 0.05;
+        return level_rectangle(px - h, px + h, py - h, py + h, pz);
+    };
+    EXPECT_TRUE(may_occlude(x, target, small_at(1, 1, 1)));
+    EXPECT_FALSE(may_occlude(x, target, small_at(2.5, 2.5, 2.5)));  // behind
+    EXPECT_FALSE(may_occlude(x, target, small_at(0.3, 2.5, 1)));    // beside
+    EXPECT_FALSE(may_occlude(x, target, small_at(-1, -1, -1)));     // at the back of x
+}
+
 TEST(VisiblePart, CullingIsConservativeAndUseful) {
     std::mt19937 random(17);
     int kept = 0, hiding = 0;
