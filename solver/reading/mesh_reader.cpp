@@ -5,6 +5,7 @@
 
 #include "solver/reading/input_file.h"
 #include "solver/reading/obj_reader.h"
+#include "solver/reading/ply_reader.h"
 
 namespace lightwell {
 
@@ -28,6 +29,7 @@ bool is_mesh_file(const std::string& path) {
 PolygonSoup read_mesh(const std::string& path) {
     const std::string extension = extension_of(path);
     if (extension == ".obj") return read_obj(path);
+    if (extension == ".ply") return read_ply(path);
     throw InputError(Place{path}, "geometry files end in .obj or .ply, not in " +
                                       in_quotes(extension) + "; convert the file to one of these");
 }

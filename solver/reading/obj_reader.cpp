@@ -50,7 +50,7 @@ class ObjReader {
         } else if (keyword.text == "f" || keyword.text == "fo") {
             face(keyword);
         } else if (keyword.text == "usemtl") {
-            use_material();
+            material_ = scanner_.rest();
         } else if (keyword.text == "mtllib") {
             const Token name = scanner_.rest();
             soup_.material_libraries.push_back({std::string(name.text), scanner_.place(name)});
@@ -78,7 +78,7 @@ class ObjReader {
         Polygon polygon;
         polygon.first = static_cast<int>(soup_.corners.size());
         polygon.line = keyword.line;
-        polygon.material = material_;
+        polygon.material = current_material();
         while (const auto token = scanner_.next())
             soup_.corners.push_back(corner(*token));
         polygon.count = static_cast<int>(soup_.corners.size()) - polygon.first;
@@ -123,22 +123,19 @@ class ObjReader {
                 throw InputError(scanner_.place(forward.token), out_of_range(forward.token));
     }
 
-    void use_material() {
-        const Token token = scanner_.rest();
-        const std::string name(token.text);
-        if (name.empty()) {
-            material_ = -1;
-            return;
-        }
+    /// The material's number; one that no polygon uses gets none.
+    int current_material() {
+        if (material_.text.empty()) return -1;
+        const std::string name(material_.text);
         const auto [entry, is_new] =
             material_index_.try_emplace(name, static_cast<int>(soup_.materials.size()));
-        if (is_new) soup_.materials.push_back({name, scanner_.place(token)});
-        material_ = entry->second;
+        if (is_new) soup_.materials.push_back({name, scanner_.place(material_)});
+        return entry->second;
     }
 
     TextScanner scanner_;
     PolygonSoup soup_;
-    int material_ = -1;
+    Token material_;  ///< its text is empty: none
     std::map<std::string, int> material_index_;
     std::vector<ForwardIndex> forward_;
     Occurrences unknown_;

@@ -11,6 +11,9 @@ namespace lightwell {
 
 namespace {
 
+/// Sines below this are those of flat corners.
+constexpr double rounding = 1e-9;
+
 /// Sine of the angle at b, positive for left turns; 0 if a side has no length.
 double corner_sine(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double lengths = (b - a).norm() * (c - b).norm();
@@ -68,6 +71,10 @@ class EarClipper {
             judge(best % ring_.size());
         }
         triangles.push_back({ring_[0], ring_[1], ring_[2]});
+        const bool overlaps = std::any_of(triangles.begin(), triangles.end(), [&](const auto& ear) {
+            return corner_sine(point(ear[0]), point(ear[1]), point(ear[2])) < -rounding;
+        });
+        if (overlaps) triangles.clear();
         return triangles;
     }
 
@@ -89,13 +96,22 @@ class EarClipper {
             quality_[i] = worst_sine(outline_, ear);
     }
 
+    /// Another corner in the place of one of the ear's own is in the way only if the outline goes
+    /// on from the ear's tip into the ear.
     bool holds_a_corner(const std::array<int, 3>& ear) const {
         const Vec2 &a = point(ear[0]), &b = point(ear[1]), &c = point(ear[2]);
-        return std::any_of(ring_.begin(), ring_.end(), [&](int other) {
+        const auto opens_to = [&](const Vec2& p) { return turn(a, b, p) > 0 && turn(b, c, p) > 0; };
+        for (std::size_t i = 0; i < ring_.size(); ++i) {
+            const int other = ring_[i];
             const Vec2& p = point(other);
-            if (other == ear[0] || other == ear[1] || other == ear[2]) return false;
-            return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-        });
+            if (other == ear[0] || other == ear[1] || other == ear[2] || p == a || p == c) continue;
+            if (p == b) {
+                if (opens_to(point(before(i))) || opens_to(point(after(i)))) return true;
+            } else if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     const std::vector<Vec2>& outline_;

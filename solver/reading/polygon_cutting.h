@@ -28,8 +28,13 @@ struct ConvexCut {
 /// equals. A ladder, not a fan: a fan gathers all its sharp angles at one corner.
 ConvexCut cut_convex(const std::vector<Vec2>& outline);
 
-/// Cuts a simple polygon of any shape into n-2 triangles by clipping ears, the roundest ear (by its
-/// smallest sine) first. The corners are indices into the outline, counter-clockwise.
+/// Cuts a polygon of any shape into n-2 triangles by clipping ears, the roundest ear (by its
+/// smallest sine) first. The corners are indices into the outline, counter-clockwise. The polygon
+/// may touch itself; nothing comes back if it overlaps itself so that it cannot be cut.
+///
+/// The result is right by construction: the ears' indicator functions, counted with the sign of
+/// their orientation, always sum to the outline's winding number; when none is negative, they tile
+/// the polygon.
 std::vector<std::array<int, 3>> clip_ears(const std::vector<Vec2>& outline);
 
 }  // namespace lightwell

@@ -26,20 +26,9 @@ double height(const Vec3& a, const Vec3& b, const Vec3& c) {
     return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
-bool within_box(const Vec2& a, const Vec2& b, const Vec2& point) {
-    return std::min(a[0], b[0]) <= point[0] && point[0] <= std::max(a[0], b[0]) &&
-           std::min(a[1], b[1]) <= point[1] && point[1] <= std::max(a[1], b[1]);
-}
-
-/// Whether segments ab and cd have a point in common.
-bool touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-    const double abc = turn(a, b, c), abd = turn(a, b, d);
-    const double cda = turn(c, d, a), cdb = turn(c, d, b);
-    if (((abc > 0) != (abd > 0)) && ((cda > 0) != (cdb > 0)) && abc != 0 && abd != 0 && cda != 0 &&
-        cdb != 0)
-        return true;
-    return (abc == 0 && within_box(a, b, c)) || (abd == 0 && within_box(a, b, d)) ||
-           (cda == 0 && within_box(c, d, a)) || (cdb == 0 && within_box(c, d, b));
+/// Whether segments ab and cd cross at inner points of both.
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
 }
 
 }  // namespace
@@ -129,15 +118,12 @@ bool is_convex(const std::vector<Vec2>& outline) {
     return turning < 3 * pi;
 }
 
-bool is_simple(const std::vector<Vec2>& outline) {
+bool crosses_itself(const std::vector<Vec2>& outline) {
     const std::size_t n = outline.size();
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = i + 2; j < n; ++j) {
-            if (i == 0 && j == n - 1) continue;
-            if (touch(outline[i], outline[(i + 1) % n], outline[j], outline[(j + 1) % n]))
-                return false;
-        }
-    return true;
+        for (std::size_t j = i + 2; j < n; ++j)
+            if (cross(outline[i], outline[i + 1], outline[j], outline[(j + 1) % n])) return true;
+    return false;
 }
 
 }  // namespace lightwell

@@ -35,8 +35,9 @@ std::vector<Vec2> in_mean_plane(const Outline& outline);
 /// Whether the outline turns left at every corner and goes round once.
 bool is_convex(const std::vector<Vec2>& outline);
 
-/// Whether no two sides meet but at a corner they share.
-bool is_simple(const std::vector<Vec2>& outline);
+/// Whether two sides cross at inner points of both. Outlines that only touch themselves do not
+/// cross: a hole is often joined to the outer rim by a bridge that is walked twice.
+bool crosses_itself(const std::vector<Vec2>& outline);
 
 /// z of the cross product: positive where the path a, b, c turns left.
 inline double turn(const Vec2& a, const Vec2& b, const Vec2& c) {

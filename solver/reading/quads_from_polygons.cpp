@@ -1,6 +1,7 @@
 #include "solver/reading/quads_from_polygons.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -43,6 +44,22 @@ double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double longest =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     return (b - a).cross(c - a).norm() / longest;
+}
+
+using Corners = std::array<int, 3>;
+
+/// The ears of an outline; none if it crosses itself.
+std::vector<Corners> ears_of(const std::vector<Vec2>& outline) {
+    if (crosses_itself(outline)) return {};
+    return clip_ears(outline);
+}
+
+/// All triangles at the first corner.
+std::vector<Corners> fan(int corners) {
+    std::vector<Corners> triangles;
+    for (int i = 2; i < corners; ++i)
+        triangles.push_back({0, i - 1, i});
+    return triangles;
 }
 
 /// Beyond this share of the diameter, a corner off the mean plane is more than rounding. Below it
@@ -130,18 +147,21 @@ class QuadMaker {
             ++(ids.size() == 4 ? counts().quads : counts().larger);
             return add_convex(outline, flat);
         }
-        if (!is_simple(flat)) return leave_out(crossing_, counts().crossing, shape);
+        const auto ears = ears_of(flat);
+        if (ears.empty()) return leave_out(crossing_, counts().crossing, shape);
         ++counts().concave;
         concave_.add(shape.line);
-        add_ears(ids, flat);
+        add_triangles(ids, ears);
     }
 
     void take_bent(const Polygon& shape, const std::vector<int>& ids, const Outline& outline) {
         const std::vector<Vec2> flat = in_mean_plane(outline);
-        if (!is_simple(flat)) return leave_out(crossing_, counts().crossing, shape);
         ++counts().bent;
         bent_.add(shape.line);
-        if (ids.size() > 4 || !is_convex(flat)) return add_ears(ids, flat);
+        if (ids.size() > 4 || !is_convex(flat)) {
+            const auto ears = ears_of(flat);
+            return add_triangles(ids, ears.empty() ? fan(static_cast<int>(ids.size())) : ears);
+        }
         const auto& p = outline;
         const double along_02 = std::min(roundness(p[0], p[1], p[2]), roundness(p[0], p[2], p[3]));
         const double along_13 = std::min(roundness(p[1], p[2], p[3]), roundness(p[1], p[3], p[0]));
@@ -164,10 +184,10 @@ class QuadMaker {
             add_cut_triangle(corner(t[0]), corner(t[1]), corner(t[2]), face_);
     }
 
-    void add_ears(const std::vector<int>& ids, const std::vector<Vec2>& flat) {
+    void add_triangles(const std::vector<int>& ids, const std::vector<Corners>& triangles) {
         const auto id = [&](int i) { return ids[static_cast<std::size_t>(i)]; };
-        for (const auto& ear : clip_ears(flat))
-            add_triangle(id(ear[0]), id(ear[1]), id(ear[2]));
+        for (const Corners& t : triangles)
+            add_triangle(id(t[0]), id(t[1]), id(t[2]));
     }
 
     void add_triangle(int a, int b, int c) {
@@ -227,7 +247,7 @@ class QuadMaker {
         report(flattened_, "slightly bent polygon: its corners are moved onto the mean plane");
         report(concave_, "concave polygon: cut into triangles");
         report(degenerate_, "polygon without area: left out");
-        report(crossing_, "polygon whose outline crosses itself: left out");
+        report(crossing_, "polygon whose outline crosses or overlaps itself: left out");
     }
 
     const PolygonSoup& soup_;

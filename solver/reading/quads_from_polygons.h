@@ -40,11 +40,12 @@ struct QuadsOfPolygons {
 /// - Convex planar quads are kept as they are, larger convex polygons are cut by a ladder of rungs
 ///   (see cut_convex), concave ones into triangles by clipping ears.
 /// - A bent quad is cut along the diagonal that leaves the rounder triangles, a larger bent polygon
-///   by clipping the ears of its outline seen along its mean normal.
+///   by clipping the ears of its outline seen along its mean normal, or, if the outline crosses
+///   itself from there, as a fan from its first corner, as most programs do.
 /// - Triangles, read or made, are paired where two make an exact convex quad (see pair_triangles),
 ///   and else cut into three quads (see cut_triangle).
-/// - Polygons without area, and polygons whose outline crosses itself, which bound no surface one
-///   could name, are left out with a warning.
+/// - Polygons without area, and planar ones whose outline crosses itself, which bound no surface
+///   one could name, are left out with a warning.
 ///
 /// Quads come in the order of their polygons; a pair stands where its first polygon stands.
 /// @param metres_per_unit length of the file's unit [m]

@@ -91,7 +91,7 @@ void read_geometry(const GeometryChoice& geometry, ReadScene& read) {
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     read.report.counts = made.counts;
     if (made.quads.empty())
-        throw InputError(Place{geometry.file}, "no polygon of the file has an area");
+        throw InputError(Place{geometry.file}, "no surface is left: " + to_string(made.counts));
     for (SceneQuad& quad : made.quads)
         quad.material = quad.material < 0 ? choice.of_unnamed
                                           : choice.of_soup[static_cast<std::size_t>(quad.material)];

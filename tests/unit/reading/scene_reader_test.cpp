@@ -265,8 +265,9 @@ TEST_F(SceneReader, RefusesDamagedFiles) {
     EXPECT_EQ(error_of("geometry = \"room.obj\"\ngeometry = 1\n").substr(0, 15), "scene.toml:2:12");
     EXPECT_EQ(error_of("geometry = \n").substr(0, 15), "scene.toml:1:12");
     folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-    EXPECT_EQ(error_of("geometry = \"flat.obj\"\n"),
-              "flat.obj: no polygon of the file has an area");
+    EXPECT_EQ(
+        error_of("geometry = \"flat.obj\"\n"),
+        "flat.obj: no surface is left: 1 face: 0 quads, 1 without area, left out; 0 quads in all");
     EXPECT_EQ(input_error_of([&] { read_scene(folder.write("a.off", "OFF\n")); }),
               "a.off: a scene is a scene file (.toml) or a geometry file (.obj, .ply); convert "
               "other formats to one of these");

@@ -1,0 +1,158 @@
+// Reads every mesh file that is kept beside the checkout: broken ones and real ones.
+
+#include <chrono>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "solver/reading/scene_reader.h"
+#include "tests/unit/reading/files.h"
+
+namespace lightwell {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Everything later stages rely on.
+void expect_sound(const Scene& scene, const std::string& file) {
+    ASSERT_FALSE(scene.quads.empty()) << file;
+    for (std::size_t i = 0; i < scene.quads.size(); ++i) {
+        const SceneQuad& quad = scene.quads[i];
+        const double size = (quad.quad.vertex[2] - quad.quad.vertex[0]).norm();
+        EXPECT_GT(quad.quad.area(), 0) << file << " " << scene.describe(static_cast<int>(i));
+        EXPECT_LE(quad.quad.out_of_plane(), 1e-9 * size) << file;
+        EXPECT_GE(quad.material, 0) << file;
+        EXPECT_LT(quad.material, static_cast<int>(scene.materials.size())) << file;
+    }
+}
+
+/// The scene, or nothing where an InputError says why not; in under a second either way.
+std::optional<ReadScene> read_in_time(const std::filesystem::path& file) {
+    const auto start = Clock::now();
+    std::optional<ReadScene> read;
+    try {
+        read = read_scene(file.string());
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(':'), std::string::npos) << error.what();
+    }
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 1.) << file;
+    return read;
+}
+
+TEST(SharedFiles, HostileFilesEndInAReadOrAnInputError) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    const std::set<std::string> kinds = {".obj", ".ply", ".off", ".stl"};
+    int files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(*shared / "hostile")) {
+        if (kinds.count(entry.path().extension().string()) == 0) continue;
+        ++files;
+        if (const auto read = read_in_time(entry.path()))
+            expect_sound(read->scene, entry.path().string());
+    }
+    EXPECT_GE(files, 100);
+}
+
+/// Elements and dropped faces a hostile file must give; 0 elements: it must be refused.
+struct Expectation {
+    const char* file;
+    int elements;
+};
+
+class HostileFile : public ::testing::TestWithParam<Expectation> {};
+
+TEST_P(HostileFile, GivesWhatItSays) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    const auto read = read_in_time(*shared / "hostile" / GetParam().file);
+    EXPECT_EQ(read ? read->report.counts.elements : 0, GetParam().elements);
+}
+
+// Checked by hand against what each file says.
+INSTANTIATE_TEST_SUITE_P(
+    SharedFiles, HostileFile,
+    ::testing::Values(Expectation{"probes/bom.obj", 1}, Expectation{"probes/cont.obj", 1},
+                      Expectation{"probes/comma.obj", 0}, Expectation{"probes/dup.obj", 3},
+                      Expectation{"probes/dupface.obj", 2}, Expectation{"probes/flip.obj", 2},
+                      Expectation{"probes/nonman.obj", 3}, Expectation{"probes/fakebin.ply", 0},
+                      Expectation{"probes/qf.ply", 1}, Expectation{"assimp/box_UTF16BE.obj", 0},
+                      Expectation{"assimp/box.obj", 6}, Expectation{"assimp/testmixed.obj", 6},
+                      Expectation{"assimp/cube_binary.ply", 6},
+                      Expectation{"assimp/cube_binary_header_with_RN_newline.ply", 6},
+                      Expectation{"assimp/cube_binary_starts_with_nl.ply", 6},
+                      Expectation{"tinyobj/issue-138.obj", 6},
+                      Expectation{"tinyobj/issue-161-inconsistent-f.obj", 6},
+                      Expectation{"tinyobj/usemtl-issue-104.obj", 3},
+                      Expectation{"tinyobj/line-prim.obj", 0},
+                      Expectation{"tinyobj/cornell_box.obj", 23},
+                      Expectation{"trimesh/nancolor.obj", 6},
+                      Expectation{"trimesh/negative_indices.obj", 6},
+                      Expectation{"trimesh/polygonfaces.obj", 9}));
+
+TEST(SharedFiles, HolesThatAreJoinedToTheRimStayOpen) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    // A ring between two circles, written as one outline that walks the bridge between them twice.
+    const auto read = read_in_time(*shared / "hostile/assimp/concave_polygon.obj");
+    ASSERT_TRUE(read);
+    double area = 0;
+    for (const SceneQuad& quad : read->scene.quads)
+        area += quad.quad.area();
+    const auto polygon = [](double radius) {  // regular, of 32 corners
+        return 16 * radius * radius * std::sin(2 * M_PI / 32);
+    };
+    EXPECT_NEAR(area, polygon(0.7425) - polygon(0.6875), 2e-4);
+}
+
+struct Counts {
+    const char* file;
+    int faces, quads, triangles, bent;
+};
+
+class RealScene : public ::testing::TestWithParam<Counts> {};
+
+TEST_P(RealScene, HasTheFacesOfItsFile) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    const auto read = read_in_time(*shared / "scenes" / GetParam().file);
+    ASSERT_TRUE(read);
+    const PolygonCounts& counts = read->report.counts;
+    EXPECT_EQ(counts.faces, GetParam().faces);
+    EXPECT_EQ(counts.quads, GetParam().quads);
+    EXPECT_EQ(counts.triangles, GetParam().triangles);
+    EXPECT_EQ(counts.bent, GetParam().bent);
+    EXPECT_EQ(counts.degenerate + counts.crossing, 0);
+    // What is not kept is paired or cut, and nothing is lost.
+    EXPECT_EQ(2 * counts.pairs + counts.cut, counts.triangles + 2 * counts.bent);
+    EXPECT_EQ(counts.elements, counts.quads + counts.pairs + 3 * counts.cut);
+    expect_sound(read->scene, GetParam().file);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SharedFiles, RealScene,
+    ::testing::Values(Counts{"hospital/hospital_floor_01_core.obj", 760, 710, 47, 3},
+                      Counts{"hospital/hospital_floor_01.obj", 2575, 2504, 47, 24},
+                      Counts{"lost-empire/crop_r12_2982.obj", 2982, 2982, 0, 0},
+                      Counts{"freedoom/dm03.obj", 485, 476, 9, 0},
+                      Counts{"freedoom/e1m1.obj", 2937, 2778, 159, 0},
+                      Counts{"tb3-house/tb3_house.obj", 564, 564, 0, 0},
+                      Counts{"cornell-mcguire/CornellBox-Original.obj", 18, 17, 0, 1},
+                      Counts{"cornell-embree/cornell_box.obj", 17, 16, 0, 1}));
+
+TEST(SharedFiles, TheMcGuireBoxKeepsItsMaterials) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    const auto read = read_in_time(*shared / "scenes/cornell-mcguire/CornellBox-Original.obj");
+    ASSERT_TRUE(read);
+    for (const Material& material : read->scene.materials) {
+        if (material.name == "light") {
+            EXPECT_TRUE((material.emission == Rgb(17, 12, 4)).all());
+        }
+        if (material.name == "leftWall") {
+            EXPECT_TRUE((material.reflectance == Rgb(0.63, 0.065, 0.05)).all());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lightwell
