@@ -37,6 +37,7 @@ TEST_F(Render, PassesEveryPointToTheShade) {
                    EXPECT_TRUE(front) << quad;
                    EXPECT_NEAR(to_eye.norm(), 1, 1e-12);
                    EXPECT_LT((camera.position - position).cross(to_eye).norm(), 1e-12);
+                   EXPECT_GT((camera.position - position).dot(to_eye), 0);
                    return Rgb(position);
                });
     // The lower left of the picture is floor on the left: low x, z = 0; the upper right is at high

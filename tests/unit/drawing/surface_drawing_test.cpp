@@ -139,6 +139,31 @@ TEST_F(SurfaceDrawingTest, AVertexOnAnEdgeLeavesNoCrack) {
     EXPECT_GT(std::count(buffer.quad.begin(), buffer.quad.end(), 7), 1000);
 }
 
+// Strips a fifth of a pixel wide through the centres of pixels: those are seen, no others.
+TEST_F(SurfaceDrawingTest, ThePixelsCentreDecides) {
+    Camera camera;
+    camera.target = Vec3(0, 1, 0);
+    camera.vertical_angle = 90;
+    const CameraRays rays(camera, 100, 100);
+    // At y = 1 a pixel is 0.02 wide; column 60 has its centre at x = 0.21, row 20 at z = 0.59.
+    const double half = 0.002;
+    const auto strip = [](double x0, double x1, double z0, double z1) {
+        return Quad{{Vec3(x0, 1, z0), Vec3(x1, 1, z0), Vec3(x1, 1, z1), Vec3(x0, 1, z1)}};
+    };
+    const SurfaceBuffer buffer = draw(
+        {strip(0.21 - half, 0.21 + half, -0.9, 0.4), strip(-0.9, 0.9, 0.59 - half, 0.59 + half)},
+        rays);
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const bool upright = x == 60 && y >= 30 && y < 95;
+            const bool level = y == 20 && x >= 5 && x < 95;
+            EXPECT_EQ(buffer.quad[buffer.index(x, y)], upright ? 0
+                                                       : level ? 1
+                                                               : -1)
+                << x << ',' << y;
+        }
+}
+
 TEST_F(SurfaceDrawingTest, UpIsUpAndRightIsRight) {
     // Looking along +y: a quad at +x is on the right, one at +z is at the top.
     const auto tile = [](double x, double z) {
