@@ -10,12 +10,14 @@
 
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
+#include "solver/reference/random_lights.h"
 #include "solver/series/light_ensemble.h"
 #include "solver/series/neumann_series.h"
 #include "solver/series/truncation.h"
 #include "solver/transport/direct_transport.h"
 #include "solver/transport/elements.h"
 #include "solver/transport/geometric_oracle.h"
+#include "solver/transport/open_masks.h"
 #include "solver/transport/refiner.h"
 #include "solver/transport/variation_oracle.h"
 
@@ -74,6 +76,21 @@ std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Sett
     geometric.tolerance = settings.oracle_tolerance;
     geometric.partial_tolerance = 2 * settings.oracle_tolerance;
     return std::make_unique<GeometricOracle>(geometric, quads, visibility, area);
+}
+
+/// Where lights are expected: anywhere that there is room. A scene without such a place, a single
+/// quad for example, has none; then nothing is weighed.
+std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibility) {
+    constexpr int count = 48;
+    constexpr std::uint64_t seed = 20060626;
+    std::vector<Vec3> positions;
+    try {
+        for (const PointLight& light : random_lights(scene, visibility, count, seed))
+            positions.push_back(light.position);
+    } catch (const InputError&) {
+        positions.clear();
+    }
+    return positions;
 }
 
 /// Removes the elements that no link touches: they see nothing after all.
@@ -181,10 +198,13 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     const OccluderTree occluders(quads);
     std::vector<Element> elements = seeing_elements(scene, report.blind_sides);
     constexpr int survey_rays = 256;
-    const std::vector<SideSurvey> survey = survey_sides(elements, visibility, survey_rays, cost);
+    std::vector<SideSurvey> survey = survey_sides(elements, visibility, survey_rays, cost);
+    const std::vector<Vec3> positions = light_positions(scene, visibility);
+    report.inside_of_solids = drop_inside_of_solids(positions, visibility, cost, elements, survey);
     const Settings settings = settings_for(options, typical_distance(elements, survey));
     constexpr int most_levels = 6;
     set_cells(elements, settings.cell_size, most_levels);
+    set_open_masks(visibility, elements, cost);
     clock.lap("elements");
 
     // 2. Links, as far as the oracle refines them.
@@ -216,10 +236,8 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     for (std::size_t e = 0; e < transport.space.elements().size(); ++e)
         albedo[static_cast<Eigen::Index>(e)] =
             scene.material_of(transport.space.element(e).quad).reflectance.mean();
-    constexpr int ensemble_size = 48;
     const LightEnsemble ensemble =
-        light_ensemble(transport.space, quads, occluders,
-                       positions_in_the_open(transport.space, visibility, ensemble_size, 1),
+        light_ensemble(transport.space, quads, occluders, positions,
                        mean_bounce(transport.space.elements(), pairs), albedo);
     clock.lap("ensemble");
     transport.bounce =

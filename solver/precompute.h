@@ -31,8 +31,9 @@ struct PrecomputeOptions {
 /// What it did and cost.
 struct PrecomputeReport {
     std::uint64_t elements = 0;
-    std::uint64_t blind_sides = 0;  ///< sides dropped because they see no other side
-    std::uint64_t cells = 0;        ///< finest cells of all elements
+    std::uint64_t blind_sides = 0;       ///< sides dropped because they see no other side
+    std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids
+    std::uint64_t cells = 0;             ///< finest cells of all elements
     std::uint64_t links_judged = 0;
     std::uint64_t coefficients_before = 0;  ///< of M before truncation
     ClosureReport closure;

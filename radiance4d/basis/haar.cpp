@@ -29,11 +29,20 @@ Eigen::Matrix4d frame_of(const Eigen::Vector4d& h, std::uint32_t children) {
 
 }  // namespace
 
-HaarBasis::HaarBasis(const Quad& quad, CellTree tree) : tree_(std::move(tree)) {
+HaarBasis::HaarBasis(const Quad& quad, CellTree tree, const std::vector<double>& open)
+    : tree_(std::move(tree)) {
     area_.resize(tree_.positions());
-    for (std::uint32_t position = 0; position < tree_.positions(); ++position) {
+    const std::uint32_t first_finest = tree_.positions() - tree_.functions();
+    for (std::uint32_t position = first_finest; position < tree_.positions(); ++position) {
         const ParameterRect r = tree_.rect(tree_.at(position));
-        area_[position] = quad.part(r.u0, r.u1, r.v0, r.v1).area();
+        area_[position] = quad.part(r.u0, r.u1, r.v0, r.v1).area() *
+                          (open.empty() ? 1 : open[position - first_finest]);
+    }
+    for (std::uint32_t position = first_finest; position-- > 0;) {
+        const Cell cell = tree_.at(position);
+        area_[position] = 0;
+        for (std::uint32_t c = 0; c < tree_.children(cell.level); ++c)
+            area_[position] += area(tree_.child(cell, c));
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "radiance4d/basis/cell_tree.h"
@@ -14,20 +16,24 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 ///
 /// The measure of a cell is its area on the quad, so the basis is orthonormal in L2 of the
 /// *surface*, whatever the shape of the convex quad. Coefficients of scaling functions are
-/// half-densities, s_c = sqrt(A_c) * (mean over c): the cell- wise form of l = sqrt(J) L. The
+/// half-densities, s_c = sqrt(A_c) * (mean over c): the cell-wise form of l = sqrt(J) L. The
 /// scaling function of a parent is sum_c h_c phi_c with h_c = sqrt(A_c/A_parent), and the wavelets
 /// complete h to an orthonormal frame; with equal areas these are the classical non-standard Haar
 /// wavelets (WRT eq. 1 and 2, figure 2b). Weighting by area instead of by the bilinear parameters
 /// keeps a constant radiance in the span of the coarsest level on trapezoids as well, which energy
 /// conservation rests on (cf. unbalanced Haar wavelets, Girardi and Sweldens 1997).
+///
+/// Where part of a cell is buried (see OpenMask), only its open part is measured: means are then
+/// means over what light can reach, and a block's foot does not darken the floor around it.
 class HaarBasis {
   public:
     HaarBasis() = default;
     /// The basis on a quad, cells cut along lines of constant u and v.
-    HaarBasis(const Quad& quad, CellTree tree);
+    /// @param open  open share of each finest cell, in (0,1]; empty: all of every cell
+    HaarBasis(const Quad& quad, CellTree tree, const std::vector<double>& open = {});
 
     const CellTree& tree() const { return tree_; }
-    /// Area of a cell [m2].
+    /// Measured area of a cell [m2].
     double area(const Cell& cell) const { return area_[tree_.position(cell)]; }
     /// The orthonormal frame of a cell that is not finest: row 0 holds h_c, row k the weights of
     /// wavelet k on the children's scaling functions. Only the first children(level) rows and

@@ -1,6 +1,7 @@
 #include "radiance4d/basis/radiance_space.h"
 
 #include <algorithm>
+#include <bitset>
 #include <limits>
 #include <utility>
 
@@ -9,6 +10,29 @@ namespace lightwell {
 Quad Element::cell(const Cell& cell) const {
     const ParameterRect r = space.tree().rect(cell);
     return geometry.part(r.u0, r.u1, r.v0, r.v1);
+}
+
+bool Element::is_open(double u, double v) const {
+    if (open.empty()) return true;
+    const CellTree& tree = space.tree();
+    const double x = std::clamp(u, 0.0, 1.0) * tree.columns();
+    const double y = std::clamp(v, 0.0, 1.0) * tree.rows();
+    const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), tree.columns() - 1);
+    const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), tree.rows() - 1);
+    const unsigned i = std::min(static_cast<unsigned>(8 * (x - column)), 7U);
+    const unsigned j = std::min(static_cast<unsigned>(8 * (y - row)), 7U);
+    return ((open[tree.finest_at(column, row)] >> (8 * j + i)) & 1U) != 0;
+}
+
+void Element::set_space(const CellTree& tree, std::vector<OpenMask> masks) {
+    open = std::move(masks);
+    std::vector<double> share;
+    for (const OpenMask mask : open) {
+        // A cell that is buried altogether keeps its area: what little arrives there is its mean.
+        const auto count = static_cast<double>(std::bitset<64>(mask).count());
+        share.push_back(count == 0 ? 1 : count / 64);
+    }
+    space = HaarBasis(geometry, tree, share);
 }
 
 RadianceSpace::RadianceSpace(std::vector<Element> elements) : elements_(std::move(elements)) {

@@ -8,14 +8,23 @@
 
 namespace lightwell {
 
+/// Which part of a finest cell light can reach: 8 x 8 samples, bit 8 j + i for the sample at ((i +
+/// .5)/8, (j + .5)/8) of the cell's parameters. The rest is buried under something that stands on
+/// the surface or almost touches it.
+using OpenMask = std::uint64_t;
+constexpr OpenMask all_open = ~OpenMask{0};
+
 /// One side of a quad that takes part in transport, with its own basis b = b_space * b_angle: the
 /// standard construction between two 2D trees (every spatial function with every angular one).
 struct Element {
-    int quad = 0;             ///< index into Scene::quads
-    bool front = true;        ///< which side of it
-    Quad geometry;            ///< the quad as seen from this side: the normal points to the air
-    HaarBasis space;          ///< over (u,v)
-    CellTree angle;           ///< over (s,t); one cell on diffuse surfaces
+    int quad = 0;       ///< index into Scene::quads
+    bool front = true;  ///< which side of it
+    Quad geometry;      ///< the quad as seen from this side: the normal points to the air
+    HaarBasis space;    ///< over (u,v)
+    CellTree angle;     ///< over (s,t); one cell on diffuse surfaces
+    /// By finest cell; empty where nothing is buried. The space's areas are those of the open
+    /// parts.
+    std::vector<OpenMask> open;
     std::uint32_t first = 0;  ///< number of the element's first basis function in the space
 
     /// Basis functions of the element.
@@ -23,6 +32,10 @@ struct Element {
     double area() const { return space.area(Cell{}); }
     /// The polygon of a spatial cell.
     Quad cell(const Cell& cell) const;
+    /// Whether light can reach the point (u,v).
+    bool is_open(double u, double v) const;
+    /// Sets `space` for a tree and `open` masks (or none).
+    void set_space(const CellTree& tree, std::vector<OpenMask> masks);
 };
 
 /// The finite-dimensional space that radiance fields live in: the orthonormal functions of all

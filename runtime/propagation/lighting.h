@@ -26,7 +26,7 @@ Lighting light_scene(const GlobalTransport& transport, const std::vector<Light>&
                      const std::vector<Quad>& quads, const OccluderTree& occluders,
                      Propagation propagation);
 
-/// Smooth irradiance [lx] over every element, by element number.
+/// Smooth irradiance [lx] over every element, by element number. It holds where Element::is_open; buried parts are dark.
 std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
                                              const RadianceField& field);
 

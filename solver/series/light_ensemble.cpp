@@ -1,20 +1,12 @@
 #include "solver/series/light_ensemble.h"
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 
-#include "radiance4d/basis/direction_map.h"
 #include "radiance4d/operator/light_projection.h"
 
 namespace lightwell {
 
 namespace {
-
-/// Uniform in [0,1), the same on every platform.
-double uniform(std::mt19937_64& random) {
-    return static_cast<double>(random() >> 11) * 0x1p-53;
-}
 
 /// Indirect light X - E on whole elements, by iteration.
 Eigen::ArrayXd mean_indirect(const SymmetricOperator& mean_bounce,
@@ -30,31 +22,6 @@ Eigen::ArrayXd mean_indirect(const SymmetricOperator& mean_bounce,
 }
 
 }  // namespace
-
-std::vector<Vec3> positions_in_the_open(const RadianceSpace& space, const Visibility& visibility,
-                                        int count, unsigned seed) {
-    std::mt19937_64 random(seed);
-    std::vector<double> area_up_to;
-    double area = 0;
-    for (const Element& element : space.elements())
-        area_up_to.push_back(area += element.area());
-    std::vector<Vec3> positions;
-    if (space.elements().empty()) return positions;
-    const int most_tries = 100 * count;
-    for (int k = 0; k < most_tries && static_cast<int>(positions.size()) < count; ++k) {
-        const auto chosen =
-            std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, uniform(random) * area) -
-            area_up_to.begin();
-        const Element& element = space.element(static_cast<std::size_t>(chosen));
-        const double u = uniform(random), v = uniform(random);
-        const double s = uniform(random), t = uniform(random), along = uniform(random);
-        const Vec3 start = element.geometry.point(u, v);
-        const Vec3 direction = local_frame(element.geometry) * direction_from_square({s, t});
-        const Hit hit = visibility.nearest(start, element.quad, direction);
-        if (hit) positions.push_back(start + (0.1 + 0.8 * along) * hit.distance * direction);
-    }
-    return positions;
-}
 
 LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>& quads,
                              const OccluderTree& occluders, const std::vector<Vec3>& positions,
@@ -81,10 +48,9 @@ LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>
         ensemble.total += (total / norm).square();
         ++counted;
     }
-    if (counted > 0) {
-        ensemble.direct = (ensemble.direct / counted).sqrt();
-        ensemble.total = (ensemble.total / counted).sqrt();
-    }
+    if (counted == 0) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
+    ensemble.direct = (ensemble.direct / counted).sqrt();
+    ensemble.total = (ensemble.total / counted).sqrt();
     return ensemble;
 }
 

@@ -5,7 +5,6 @@
 #include "radiance4d/operator/radiance_field.h"
 #include "radiance4d/operator/transport_operator.h"
 #include "radiance4d/scene/occluder_tree.h"
-#include "radiance4d/scene/visibility.h"
 
 namespace lightwell {
 
@@ -18,11 +17,6 @@ struct LightEnsemble {
     /// The same of all light, direct and indirect: what the columns of the bounce operator see.
     Eigen::ArrayXd total;
 };
-
-/// Positions for lights: points on random rays between visible surfaces, at least a tenth of the
-/// ray away from either end, so that they fall where there is room. Deterministic for a seed.
-std::vector<Vec3> positions_in_the_open(const RadianceSpace& space, const Visibility& visibility,
-                                        int count, unsigned seed);
 
 /// Projects white unit lights and takes root mean squares, each light scaled so that its indirect
 /// light, estimated on whole elements with `mean_bounce` (the coefficients of M between whole

@@ -1,11 +1,20 @@
 #include "solver/transport/elements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lightwell {
 
 namespace {
+
+/// Direction k of n on the spherical Fibonacci spiral (Keinert et al. 2015): even over the sphere.
+Vec3 spiral_direction(int k, int n) {
+    const double golden_angle = M_PI * (3 - std::sqrt(5.0));
+    const double z = 1 - (2 * k + 1.0) / n;
+    const double radius = std::sqrt(1 - z * z);
+    return {radius * std::cos(golden_angle * k), radius * std::sin(golden_angle * k), z};
+}
 
 /// Whether any quad reaches in front of the plane of `side`.
 bool has_company(const Quad& side, const std::vector<SceneQuad>& quads) {
@@ -41,6 +50,38 @@ std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind) {
         }
     }
     return elements;
+}
+
+std::uint64_t drop_inside_of_solids(const std::vector<Vec3>& positions,
+                                    const Visibility& visibility, OracleCost& cost,
+                                    std::vector<Element>& elements,
+                                    std::vector<SideSurvey>& survey) {
+    constexpr int looks = 256;
+    constexpr double mostly = 0.6;
+    if (positions.empty()) return 0;
+    // Every back that some light would reach.
+    std::vector<char> back_seen(static_cast<std::size_t>(visibility.quad_count()), 0);
+    for (const Vec3& position : positions) {
+        for (int k = 0; k < looks; ++k) {
+            const Hit hit = visibility.nearest(position, free_point, spiral_direction(k, looks));
+            if (hit && !hit.front) back_seen[static_cast<std::size_t>(hit.quad)] = 1;
+        }
+    }
+    cost.rays += positions.size() * looks;
+    std::vector<Element> kept;
+    std::vector<SideSurvey> kept_survey;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const bool inside = !elements[e].front && survey[e].escaped == 0 &&
+                            survey[e].backs >= mostly &&
+                            back_seen[static_cast<std::size_t>(elements[e].quad)] == 0;
+        if (inside) continue;
+        kept.push_back(std::move(elements[e]));
+        kept_survey.push_back(survey[e]);
+    }
+    const std::uint64_t dropped = elements.size() - kept.size();
+    elements = std::move(kept);
+    survey = std::move(kept_survey);
+    return dropped;
 }
 
 void set_cells(std::vector<Element>& elements, double cell_size, int most_levels) {

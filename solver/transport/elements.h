@@ -14,6 +14,17 @@ namespace lightwell {
 /// @param blind  receives the number of sides dropped
 std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind);
 
+/// Drops the backs that lie inside solids: nothing escapes from them, most of what they meet are
+/// backs as well, and none of the places where a light can be sees them. Without light they cost
+/// links, and darken what they stand on. The survey loses the same entries.
+///
+/// @param positions  where lights can be
+/// @return the number of sides dropped
+std::uint64_t drop_inside_of_solids(const std::vector<Vec3>& positions,
+                                    const Visibility& visibility, OracleCost& cost,
+                                    std::vector<Element>& elements,
+                                    std::vector<SideSurvey>& survey);
+
 /// Gives every element its cells, at most `cell_size` [m] along either side of the quad, at most
 /// `most_levels` levels.
 void set_cells(std::vector<Element>& elements, double cell_size, int most_levels);

@@ -44,8 +44,8 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
     std::array<std::array<double, 4>, 4> product{};
     for (int i = 0; i < children.receivers; ++i) {
         for (int j = 0; j < children.senders; ++j) {
-            product[i][j] = link.receiver->space.area(children.receiver[i]) *
-                            link.sender->space.area(children.sender[j]);
+            product[i][j] = link.receiver->cell(children.receiver[i]).area() *
+                            link.sender->cell(children.sender[j]).area();
             sum += kernel[i][j] * product[i][j];
         }
     }

@@ -33,7 +33,9 @@ std::vector<SideSurvey> survey_sides(const std::vector<Element>& elements,
             const Eigen::Array4d w = lattice(k);
             const Hit hit = visibility.nearest(element.geometry.point(w[0], w[1]), element.quad,
                                                frame * direction_from_square({w[2], w[3]}));
-            if (hit) met.push_back(hit.distance);
+            if (!hit) continue;
+            met.push_back(hit.distance);
+            if (!hit.front) result[e].backs += 1.0 / rays;
         }
         result[e].escaped = 1 - static_cast<double>(met.size()) / rays;
         if (met.empty()) return;

@@ -12,6 +12,7 @@ namespace lightwell {
 struct SideSurvey {
     double escaped =
         0;  ///< share of the cosine-weighted hemisphere, averaged over the side, that meets nothing
+    double backs = 0;     ///< share that meets the back of a quad
     double distance = 0;  ///< median distance of what is met [m], 0 if nothing is
 };
 

@@ -73,7 +73,8 @@ int run(const std::map<std::string, std::string>& given, const std::string& path
         return it == given.end() ? otherwise : std::stod(it->second);
     };
     Scene scene = read_scene(path).scene;
-    for (Material& material : scene.materials) material.emission = Rgb::Zero();  // lamps alone
+    for (Material& material : scene.materials)
+        material.emission = Rgb::Zero();  // lamps alone
     PrecomputeOptions options;
     options.error = number("error", 0.05);
     if (given.count("cell") != 0) options.cell_size = number("cell", 0);
@@ -136,7 +137,13 @@ int run(const std::map<std::string, std::string>& given, const std::string& path
             const SurfacePoint& p = points[k];
             const bool front = p.normal.dot(quads[static_cast<std::size_t>(p.quad)].normal()) > 0;
             const int e = transport.space.element_on(p.quad, front);
-            if (e < 0) {
+            const bool is_open =
+                e >= 0 && transport.space.element(static_cast<std::size_t>(e))
+                              .is_open(transport.space.element(static_cast<std::size_t>(e))
+                                           .geometry.parameters(p.position)[0],
+                                       transport.space.element(static_cast<std::size_t>(e))
+                                           .geometry.parameters(p.position)[1]);
+            if (!is_open) {
                 stored_error.add(Rgb::Zero(), truth[k]);
                 picture_error.add(Rgb::Zero(), truth[k]);
                 solved_error.add(Rgb::Zero(), truth[k]);

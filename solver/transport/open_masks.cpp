@@ -1,0 +1,119 @@
+#include "solver/transport/open_masks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/basis/direction_map.h"
+
+namespace lightwell {
+
+namespace {
+
+/// Rays that look round from a sample: strata of the angular square along either side.
+constexpr int looks_along = 3;
+/// A neighbour nearer than this share of the cell's size covers a sample rather than lights it.
+constexpr double cover_share = 0.25;
+
+/// Tells open samples of one element from buried ones.
+class SampleTest {
+  public:
+    SampleTest(const Element& element, const std::vector<char>& takes_part,
+               const Visibility& visibility)
+        : element_(element),
+          takes_part_(takes_part),
+          visibility_(visibility),
+          frame_(local_frame(element.geometry)) {
+        const CellTree& tree = element.space.tree();
+        const Quad cell = element.cell({tree.levels(), 0});
+        cover_ = cover_share * (cell.vertex[2] - cell.vertex[0]).norm();
+        for (int i = 0; i < looks_along; ++i)
+            for (int j = 0; j < looks_along; ++j)
+                looks_.push_back(frame_ * direction_from_square(
+                                              {(i + 0.5) / looks_along, (j + 0.5) / looks_along}));
+    }
+
+    bool is_open(double u, double v) {
+        const Vec3 point = element_.geometry.point(u, v);
+        for (const Vec3& direction : looks_) {
+            ++rays;
+            const Hit hit = visibility_.nearest(point, element_.quad, direction);
+            if (!hit) return true;
+            const auto side = 2 * static_cast<std::size_t>(hit.quad) + (hit.front ? 0 : 1);
+            if (takes_part_[side] != 0 && hit.distance > cover_) return true;
+        }
+        return false;
+    }
+
+    std::uint64_t rays = 0;
+
+  private:
+    const Element& element_;
+    const std::vector<char>& takes_part_;
+    const Visibility& visibility_;
+    Eigen::Matrix3d frame_;
+    std::vector<Vec3> looks_;
+    double cover_ = 0;
+};
+
+/// The corners of the finest cells, inset by a little so that they do not fall into the edge of a
+/// wall; and the centres.
+constexpr double inset = 1e-3;
+
+std::vector<OpenMask> masks_of(const Element& element, SampleTest& test) {
+    const CellTree& tree = element.space.tree();
+    const std::uint32_t columns = tree.columns(), rows = tree.rows();
+    // Look at shared corners once.
+    std::vector<char> corner((columns + 1) * (rows + 1));
+    for (std::uint32_t j = 0; j <= rows; ++j)
+        for (std::uint32_t i = 0; i <= columns; ++i)
+            corner[j * (columns + 1) + i] =
+                test.is_open(std::clamp(static_cast<double>(i) / columns, inset, 1 - inset),
+                             std::clamp(static_cast<double>(j) / rows, inset, 1 - inset))
+                    ? 1
+                    : 0;
+    std::vector<OpenMask> masks(tree.functions(), all_open);
+    bool any = false;
+    for (std::uint32_t j = 0; j < rows; ++j) {
+        for (std::uint32_t i = 0; i < columns; ++i) {
+            const int open = corner[j * (columns + 1) + i] + corner[j * (columns + 1) + i + 1] +
+                             corner[(j + 1) * (columns + 1) + i] +
+                             corner[(j + 1) * (columns + 1) + i + 1] +
+                             (test.is_open((i + 0.5) / columns, (j + 0.5) / rows) ? 1 : 0);
+            if (open == 5) continue;
+            OpenMask mask = 0;
+            if (open > 0)
+                for (unsigned bit = 0; bit < 64; ++bit)
+                    if (test.is_open((i + (bit % 8 + 0.5) / 8) / columns,
+                                     (j + (bit / 8 + 0.5) / 8) / rows))
+                        mask |= OpenMask{1} << bit;
+            masks[tree.finest_at(i, j)] = mask;
+            any = any || mask != all_open;
+        }
+    }
+    if (!any) masks.clear();
+    return masks;
+}
+
+}  // namespace
+
+void set_open_masks(const Visibility& visibility, std::vector<Element>& elements,
+                    OracleCost& cost) {
+    std::vector<char> takes_part(2 * static_cast<std::size_t>(visibility.quad_count()), 0);
+    for (const Element& element : elements)
+        takes_part[2 * static_cast<std::size_t>(element.quad) + (element.front ? 0 : 1)] = 1;
+    std::atomic<std::uint64_t> rays{0};
+    tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
+        Element& element = elements[e];
+        if (element.space.tree().levels() == 0) return;
+        SampleTest test(element, takes_part, visibility);
+        std::vector<OpenMask> masks = masks_of(element, test);
+        rays += test.rays;
+        if (!masks.empty()) element.set_space(CellTree(element.space.tree()), std::move(masks));
+    });
+    cost.rays += rays;
+}
+
+}  // namespace lightwell

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/basis/radiance_space.h"
+#include "radiance4d/scene/visibility.h"
+#include "solver/transport/oracle.h"
+
+namespace lightwell {
+
+/// Finds the finest cells that are partly buried and sets their masks: under the foot of a block,
+/// behind a picture on a wall, above a lamp that almost touches the ceiling. A sample is open if
+/// one of a few rays over its hemisphere escapes, or meets another element farther off than a
+/// fraction of the cell. Cells are first looked at in their corners and centre; only those that
+/// disagree are sampled in full.
+void set_open_masks(const Visibility& visibility, std::vector<Element>& elements, OracleCost& cost);
+
+}  // namespace lightwell
