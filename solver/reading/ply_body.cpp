@@ -95,6 +95,7 @@ class BinaryBody : public PlyBody {
     }
 
     std::int64_t whole_number(PlyType type) override {
+        LIGHTWELL_CHECK(is_whole(type));
         switch (type) {
             case PlyType::int8:
                 return take<std::int8_t>();
@@ -106,10 +107,8 @@ class BinaryBody : public PlyBody {
                 return take<std::uint16_t>();
             case PlyType::int32:
                 return take<std::int32_t>();
-            case PlyType::uint32:
-                return take<std::uint32_t>();
             default:
-                fail("a whole number is expected, not a float");
+                return take<std::uint32_t>();
         }
     }
 
