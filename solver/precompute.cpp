@@ -56,10 +56,11 @@ struct Settings {
 Settings settings_for(const PrecomputeOptions& options, double distance) {
     Settings settings{};
     settings.cell_size = options.cell_size.value_or(0.7 * std::sqrt(options.error) * distance);
-    const double tolerance =
-        options.oracle == OracleKind::geometric ? 2e-2 * options.error : options.error;
+    const double tolerance = options.oracle == OracleKind::geometric
+                                 ? 0.2 * options.error * options.error
+                                 : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
-    settings.truncation = options.truncation.value_or(0.5 * options.error);
+    settings.truncation = options.truncation.value_or(0.3 * options.error);
     return settings;
 }
 
@@ -212,7 +213,8 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     for (const Element& element : elements)
         area += element.area();
     const std::unique_ptr<Oracle> oracle = make_oracle(options, settings, quads, visibility, area);
-    std::vector<PairLinks> pairs = refine_links(elements, quads, *oracle, progress, cost);
+    std::vector<PairLinks> pairs =
+        refine_links(elements, quads, occluders, *oracle, progress, cost);
     report.links_judged = cost.links_judged;
     clock.lap("links");
 

@@ -15,22 +15,37 @@ Quad Element::cell(const Cell& cell) const {
 bool Element::is_open(double u, double v) const {
     if (open.empty()) return true;
     const CellTree& tree = space.tree();
-    const double x = std::clamp(u, 0.0, 1.0) * tree.columns();
-    const double y = std::clamp(v, 0.0, 1.0) * tree.rows();
-    const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), tree.columns() - 1);
-    const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), tree.rows() - 1);
-    const unsigned i = std::min(static_cast<unsigned>(8 * (x - column)), 7U);
-    const unsigned j = std::min(static_cast<unsigned>(8 * (y - row)), 7U);
-    return ((open[tree.finest_at(column, row)] >> (8 * j + i)) & 1U) != 0;
+    const auto sample = [](double at, std::uint32_t cells) {
+        return std::clamp(static_cast<int>(8 * at * cells), 0, static_cast<int>(8 * cells) - 1);
+    };
+    const int x = sample(u, tree.columns()), y = sample(v, tree.rows());
+    for (int j = std::max(0, y - 1); j <= std::min(y + 1, static_cast<int>(8 * tree.rows()) - 1);
+         ++j) {
+        for (int i = std::max(0, x - 1);
+             i <= std::min(x + 1, static_cast<int>(8 * tree.columns()) - 1); ++i) {
+            const OpenMask mask = open[tree.finest_at(static_cast<std::uint32_t>(i / 8),
+                                                      static_cast<std::uint32_t>(j / 8))];
+            if (((mask >> (8 * (j % 8) + i % 8)) & 1U) != 0) return true;
+        }
+    }
+    return false;
 }
+
+namespace {
+
+/// Samples of 64 that a buried cell counts for: more than none, so that no frame divides by zero.
+constexpr double buried_share = 1.0 / 16;
+
+}  // namespace
 
 void Element::set_space(const CellTree& tree, std::vector<OpenMask> masks) {
     open = std::move(masks);
     std::vector<double> share;
     for (const OpenMask mask : open) {
-        // A cell that is buried altogether keeps its area: what little arrives there is its mean.
+        // A cell that is buried altogether is measured by next to nothing: its coarser cells are
+        // then means over what is open, and what is spread to it is no loss.
         const auto count = static_cast<double>(std::bitset<64>(mask).count());
-        share.push_back(count == 0 ? 1 : count / 64);
+        share.push_back(std::max(count, buried_share) / 64);
     }
     space = HaarBasis(geometry, tree, share);
 }

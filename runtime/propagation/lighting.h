@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "radiance4d/basis/smooth_surface.h"
 #include "radiance4d/operator/global_transport.h"
+#include "radiance4d/operator/smooth_irradiance.h"
 #include "radiance4d/scene/occluder_tree.h"
 
 namespace lightwell {
@@ -25,9 +25,5 @@ struct Lighting {
 Lighting light_scene(const GlobalTransport& transport, const std::vector<Light>& lights,
                      const std::vector<Quad>& quads, const OccluderTree& occluders,
                      Propagation propagation);
-
-/// Smooth irradiance [lx] over every element, by element number. It holds where Element::is_open; buried parts are dark.
-std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
-                                             const RadianceField& field);
 
 }  // namespace lightwell

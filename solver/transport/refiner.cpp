@@ -1,5 +1,6 @@
 #include "solver/transport/refiner.h"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -121,14 +122,16 @@ class PairRefiner {
 
 /// Quads that may stand between two whole elements.
 std::vector<int> occluders_between(const Element& x, const Vec3& normal_x, const Element& y,
-                                   const Vec3& normal_y, const std::vector<Quad>& quads) {
+                                   const Vec3& normal_y, const std::vector<Quad>& quads,
+                                   const OccluderTree& tree) {
     std::vector<int> found;
     const Shaft shaft(Facet::of(x.geometry, normal_x), Facet::of(y.geometry, normal_y));
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-        const int quad = static_cast<int>(q);
-        if (quad != x.quad && quad != y.quad && shaft.may_be_cut_by(quads[q]))
-            found.push_back(quad);
-    }
+    tree.collect(shaft.region(), x.quad, y.quad, found);
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](int q) {
+                                   return !shaft.may_be_cut_by(quads[static_cast<std::size_t>(q)]);
+                               }),
+                found.end());
     return found;
 }
 
@@ -141,8 +144,9 @@ bool has_part_in_front(const Quad& quad, const Vec3& n, const Vec3& on_plane, do
 }  // namespace
 
 std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
-                                    const std::vector<Quad>& quads, const Oracle& oracle,
-                                    const Progress& progress, OracleCost& cost) {
+                                    const std::vector<Quad>& quads, const OccluderTree& tree,
+                                    const Oracle& oracle, const Progress& progress,
+                                    OracleCost& cost) {
     const std::size_t n = elements.size();
     std::vector<Vec3> normal(n);
     std::vector<double> tolerance(n);
@@ -164,7 +168,7 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
                 continue;
             std::vector<int> occluders;
             if (oracle.needs_occluders())
-                occluders = occluders_between(x, normal[i], y, normal[j], quads);
+                occluders = occluders_between(x, normal[i], y, normal[j], quads, tree);
             PairLinks pair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), {}};
             PairRefiner refiner(elements, oracle, pair, cost_by_receiver[i]);
             refiner.set_normals(normal[i], normal[j]);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "radiance4d/progress.h"
+#include "radiance4d/scene/occluder_tree.h"
 #include "solver/transport/oracle.h"
 
 namespace lightwell {
@@ -13,10 +14,12 @@ namespace lightwell {
 /// parallel; the result does not depend on the number of threads.
 ///
 /// @param quads    the scene's quads, by Element::quad: who may stand between
+/// @param tree     over the same quads
 /// @return the links of all pairs that have any, ordered by receiver, then sender
 /// @throws Interrupted if the progress says so
 std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
-                                    const std::vector<Quad>& quads, const Oracle& oracle,
-                                    const Progress& progress, OracleCost& cost);
+                                    const std::vector<Quad>& quads, const OccluderTree& tree,
+                                    const Oracle& oracle, const Progress& progress,
+                                    OracleCost& cost);
 
 }  // namespace lightwell

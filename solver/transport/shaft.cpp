@@ -17,21 +17,29 @@ void extent(const Vertices& vertices, int count, const Vec3& n, double& lowest, 
     }
 }
 
+Eigen::AlignedBox3d bounds_of(const Facet& x, const Facet& y) {
+    Eigen::AlignedBox3d box;
+    for (int i = 0; i < x.count; ++i)
+        box.extend(x.vertex[i]);
+    for (int i = 0; i < y.count; ++i)
+        box.extend(y.vertex[i]);
+    return box;
+}
+
 }  // namespace
 
-Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y) {
-    for (int i = 0; i < x.count; ++i)
-        box_.extend(x.vertex[i]);
-    for (int i = 0; i < y.count; ++i)
-        box_.extend(y.vertex[i]);
-    tolerance_ = 1e-9 * box_.sizes().maxCoeff();
+Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y), region_(bounds_of(x, y)) {
+    const double size = region_.box().sizes().maxCoeff();
+    tolerance_ = 1e-9 * size;
 
     // Rays leave to the front of both facets.
-    planes_.push_back({-x.normal, -x.normal.dot(x.vertex[0])});
-    planes_.push_back({-y.normal, -y.normal.dot(y.vertex[0])});
+    region_.cut({x.normal, x.normal.dot(x.vertex[0])});
+    region_.cut({y.normal, y.normal.dot(y.vertex[0])});
 
     // Sides of the hull: planes through an edge of one facet and a vertex of the other with both
-    // facets on one side.
+    // facets on one side. A hull of two facets of up to eight vertices has no more sides than the
+    // region holds planes; a plane found twice, by way of two coplanar vertices, only counts once.
+    int sides = 2;
     const auto add_sides = [&](const Facet& a, const Facet& b) {
         for (int i = 0; i < a.count; ++i) {
             const Vec3& start = a.vertex[i];
@@ -39,16 +47,17 @@ Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y) {
             for (int j = 0; j < b.count; ++j) {
                 Vec3 n = edge.cross(b.vertex[j] - start);
                 const double length = n.norm();
-                if (!(length > 1e-12 * edge.norm() * box_.sizes().maxCoeff())) continue;
+                if (!(length > 1e-12 * edge.norm() * size)) continue;
                 n /= length;
                 const double d = n.dot(start);
                 double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
                 extent(a.vertex, a.count, n, lowest, highest);
                 extent(b.vertex, b.count, n, lowest, highest);
-                if (highest <= d + tolerance_)
-                    planes_.push_back({n, d});
-                else if (lowest >= d - tolerance_)
-                    planes_.push_back({-n, -d});
+                const bool below = highest <= d + tolerance_, above = lowest >= d - tolerance_;
+                if ((!below && !above) || sides == ConvexRegion::capacity) continue;
+                region_.cut(below ? Plane{-n, -d} : Plane{n, d});
+                ++sides;
+                break;  // one supporting plane an edge
             }
         }
     };
@@ -57,15 +66,7 @@ Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y) {
 }
 
 bool Shaft::may_be_cut_by(const Quad& quad) const {
-    Eigen::AlignedBox3d bounds;
-    for (const Vec3& corner : quad.vertex)
-        bounds.extend(corner);
-    if (!box_.intersects(bounds)) return false;
-    for (const Plane& plane : planes_) {
-        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-        extent(quad.vertex, 4, plane.n, lowest, highest);
-        if (lowest >= plane.d - tolerance_) return false;
-    }
+    if (region_.misses(quad)) return false;
     // A quad whose plane has both facets on one side stands beside every ray, at most touching its
     // ends.
     const Vec3 n = quad.normal();

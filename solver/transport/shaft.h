@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
-#include <Eigen/Geometry>
-
+#include "radiance4d/scene/convex_region.h"
 #include "solver/transport/facet.h"
 
 namespace lightwell {
@@ -18,23 +15,14 @@ class Shaft {
     bool may_be_cut_by(const Quad& quad) const;
     /// Whether a quad blocks every ray between the facets. True is certain.
     bool is_covered_by(const Quad& quad) const;
-    /// Axis-aligned bounds of the shaft.
-    const Eigen::AlignedBox3d& box() const { return box_; }
-    /// Planes with the shaft on their negative side, n.x <= d.
-    struct Plane {
-        Vec3 n;
-        double d;
-    };
-    const std::vector<Plane>& planes() const { return planes_; }
-    /// Distances below this count as zero [m].
-    double tolerance() const { return tolerance_; }
+    /// The shaft as a region to look for quads in.
+    const ConvexRegion& region() const { return region_; }
 
   private:
     Facet x_;
     Facet y_;
-    Eigen::AlignedBox3d box_;
-    std::vector<Plane> planes_;
-    double tolerance_ = 0;
+    ConvexRegion region_;
+    double tolerance_ = 0;  ///< distances below this count as zero [m]
 };
 
 }  // namespace lightwell

@@ -158,12 +158,13 @@ int run(const std::map<std::string, std::string>& given, const std::string& path
         }
         std::cout << fmt::format(
                          "light {:2} at ({:6.2f} {:6.2f} {:6.2f}): picture {:.4f} stored {:.4f} "
-                         "solved {:.4f} gather {:.4f} (judge {:.4f}) bias {:+.4f}",
+                         "solved {:.4f} gather {:.4f} (judge {:.4f}) bias {:+.4f} {:+.4f} {:+.4f}",
                          l, lights[l].position[0], lights[l].position[1], lights[l].position[2],
                          picture_error.relative(), stored_error.relative(), solved_error.relative(),
                          gather_error.relative(),
                          std::sqrt(picture_error.noise / picture_error.reference),
-                         picture_error.bias / picture_error.sum)
+                         picture_error.bias / picture_error.sum,
+                         solved_error.bias / solved_error.sum, gather_error.bias / gather_error.sum)
                   << std::endl;
         worst = std::max(worst, picture_error.relative());
         squares += picture_error.relative() * picture_error.relative();

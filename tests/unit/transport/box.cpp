@@ -40,7 +40,8 @@ std::vector<RadianceField> solve_uniform(const std::vector<Quad>& quads, int lev
     const RadianceSpace space(elements);
     const GeometricOracle oracle(options, quads, visibility, space.area());
     OracleCost cost;
-    const std::vector<PairLinks> pairs = refine_links(elements, quads, oracle, {}, cost);
+    const std::vector<PairLinks> pairs =
+        refine_links(elements, quads, OccluderTree(quads), oracle, {}, cost);
     const SymmetricOperator bounce =
         truncated(space, direct_transport(space, pairs, {}),
                   Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(space.functions())), 0);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/basis/smooth_surface.h"
+#include "radiance4d/operator/radiance_field.h"
+
+namespace lightwell {
+
+/// Smooth irradiance [lx] over every element, by element number. It holds where Element::is_open;
+/// buried parts are dark.
+std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
+                                             const RadianceField& field);
+
+}  // namespace lightwell
