@@ -104,17 +104,19 @@ double over_ring(const Arc& arc, const Profile& profile, double base, double s0,
 /// The integral of (G - base) dphi along an arc.
 double along(const Arc& arc, const Profile& profile, double base) {
     // An arc shorter than a half-turn meets either cone at most twice.
-    std::array<double, 6> stop{arc.from, arc.to};
-    std::size_t count = 2;
+    std::array<double, 6> stop;
+    stop.fill(arc.to);
+    stop[0] = arc.from;
+    std::size_t count = 1;
     for (const double limit : {profile.inner(), profile.outer()})
         if (std::abs(limit) < arc.cos_b) {
             const double s = std::acos(limit / arc.cos_b);
             for (const double crossing : {-s, s, 2 * M_PI - s})
                 if (crossing > arc.from && crossing < arc.to) stop[count++] = crossing;
         }
-    std::sort(stop.begin(), stop.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(stop.begin(), stop.end());
     double sum = 0;
-    for (std::size_t i = 0; i + 1 < count; ++i) {
+    for (std::size_t i = 0; i + 1 < stop.size() && stop[i] < arc.to; ++i) {
         const double s0 = stop[i], s1 = stop[i + 1];
         const double c = arc.cosine(0.5 * (s0 + s1));
         if (c >= profile.inner())
