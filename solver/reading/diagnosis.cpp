@@ -29,7 +29,7 @@ struct Kind {
 };
 
 constexpr std::array<Kind, kinds> kind_of = {{
-    {"degenerate quads", "they have no area, so they neither send nor receive light"},
+    {"degenerate quads", "they have hardly any area, so they neither send nor receive light"},
     {"bent quads", "transport takes them as planar, so light leaks or is lost along their sides"},
     {"duplicate quads", "surfaces in one place each count the same light; remove the copies"},
     {"coplanar overlapping pairs", "where both face the same way, both count the same light"},

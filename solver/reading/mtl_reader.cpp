@@ -99,10 +99,10 @@ class MtlReader {
 
     Rgb checked_emission(const Token& keyword) {
         const Rgb value = colour(scanner_, keyword);
-        if ((value < 0).any())
+        if ((value < 0).any() || (value > brightest).any())
             throw InputError(scanner_.place(keyword),
-                             fmt::format("emitted luminance Ke {} {} {} is negative", value[0],
-                                         value[1], value[2]));
+                             fmt::format("emitted luminance Ke {} {} {} is negative or too large",
+                                         value[0], value[1], value[2]));
         return value;
     }
 

@@ -9,6 +9,10 @@
 
 namespace lightwell {
 
+/// Largest luminance [cd/m2] and intensity [cd] a file may hold: far beyond any light, and far from
+/// where sums and squares overflow.
+constexpr double brightest = 1e30;
+
 /// What a file says about a material; the rest is left to another source or to the defaults.
 struct MaterialDescription {
     std::string name;
@@ -23,7 +27,7 @@ struct MaterialDescription {
 /// each one number (grey) or three. Everything else is passed over; gloss (Ks), textures and
 /// transparency are named in a warning, because the surfaces will look different without them.
 /// @throws InputError with file, line and column, also for a reflectance outside [0,1] and a
-/// negative emission.
+/// negative or overflowing emission.
 std::vector<MaterialDescription> read_mtl(const std::string& path, std::vector<Warning>& warnings);
 
 }  // namespace lightwell

@@ -8,8 +8,8 @@
 
 namespace lightwell {
 
-/// Largest coordinate a geometry file may hold [units of the file]. Beyond it, areas and volumes
-/// would lose all meaning in double precision long before they overflow.
+/// Largest coordinate a file may hold, in its own unit. Beyond it, areas and volumes would lose all
+/// meaning in double precision long before they overflow.
 constexpr double largest_coordinate = 1e12;
 
 /// A polygon of a geometry file: `count` corners from PolygonSoup::corners[first] on,

@@ -54,7 +54,8 @@ struct ReadScene {
 ///     columns = 8
 ///     rows = 6
 ///
-/// Only `geometry` must be there. Lengths in the file itself are metres, whatever `unit` says of
+/// Only `geometry` must be there. Names with other letters than A-Z, a-z, 0-9, _ and - stand in
+/// quotes: [material."wall.001"]. Lengths in the file itself are metres, whatever `unit` says of
 /// the geometry. A material's table goes before the MTL file of an OBJ, which counts for what the
 /// table leaves open.
 /// @throws InputError with file, line and column for whatever is wrong with any of the files,

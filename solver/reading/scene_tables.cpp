@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solver/reading/input_file.h"
+#include "solver/reading/polygon_soup.h"
 
 namespace lightwell {
 
@@ -19,7 +20,16 @@ std::string text_of(const Rgb& colour) {
 
 Rgb non_negative_colour(const TomlTable& table, const std::string& key) {
     const Rgb value = table.colour(key);
-    if ((value < 0).any()) table.fail(key, key + " " + text_of(value) + " is negative");
+    if ((value < 0).any() || (value > brightest).any())
+        table.fail(key, key + " " + text_of(value) + " is negative or too large");
+    return value;
+}
+
+/// A place [m].
+Vec3 position_from(const TomlTable& table, const std::string& key) {
+    const Vec3 value = table.vector(key);
+    if ((value.array().abs() > largest_coordinate).any())
+        table.fail(key, fmt::format("{} is beyond {:g} metres", key, largest_coordinate));
     return value;
 }
 
@@ -44,6 +54,12 @@ Vec3 direction_from(const TomlTable& table, const std::string& key) {
     return value;
 }
 
+/// A length in a direction [m].
+Vec3 side_from(const TomlTable& table, const std::string& key) {
+    direction_from(table, key);
+    return position_from(table, key);
+}
+
 std::string name_from(const TomlTable& table, const std::string& otherwise) {
     return table.has("name") ? table.text("name") : otherwise;
 }
@@ -60,7 +76,7 @@ double angle_from(const TomlTable& table, const std::string& key, double lowest,
 Light spot_from(const TomlTable& table, const std::string& name) {
     SpotLight spot;
     spot.name = name;
-    spot.position = table.vector("position");
+    spot.position = position_from(table, "position");
     spot.intensity = non_negative_colour(table, "intensity");
     spot.direction = direction_from(table, "direction").stableNormalized();
     spot.outer_angle = angle_from(table, "outer_angle", 0, 180);
@@ -70,7 +86,8 @@ Light spot_from(const TomlTable& table, const std::string& name) {
 }
 
 Light point_from(const TomlTable& table, const std::string& name) {
-    return PointLight{name, table.vector("position"), non_negative_colour(table, "intensity")};
+    return PointLight{name, position_from(table, "position"),
+                      non_negative_colour(table, "intensity")};
 }
 
 Light light_from(const TomlTable& table, const std::string& name) {
@@ -93,9 +110,9 @@ int count_from(const TomlTable& table, const std::string& key) {
 SensorGrid sensor_grid_from(const TomlTable& table, const std::string& name) {
     SensorGrid grid;
     grid.name = name;
-    grid.origin = table.vector("origin");
-    grid.along = direction_from(table, "along");
-    grid.across = direction_from(table, "across");
+    grid.origin = position_from(table, "origin");
+    grid.along = side_from(table, "along");
+    grid.across = side_from(table, "across");
     grid.columns = count_from(table, "columns");
     grid.rows = count_from(table, "rows");
     if (static_cast<std::int64_t>(grid.columns) * grid.rows > most_sensors)
@@ -127,8 +144,8 @@ std::vector<Light> lights_from(const TomlTable& file) {
 
 Camera camera_from(const TomlTable& table, const Vec3& up) {
     Camera camera;
-    camera.position = table.vector("position");
-    camera.target = table.vector("target");
+    camera.position = position_from(table, "position");
+    camera.target = position_from(table, "target");
     camera.up = table.has("up") ? direction_from(table, "up") : up;
     if (table.has("vertical_angle")) {
         camera.vertical_angle = angle_from(table, "vertical_angle", 0, 180);

@@ -8,6 +8,7 @@
 
 #include "solver/reading/input_file.h"
 #include "solver/reading/number_text.h"
+#include "solver/reading/polygon_soup.h"
 
 namespace lightwell {
 
@@ -56,6 +57,9 @@ Sensor sensor_from(const std::vector<Field>& fields, const std::string& file, in
             throw InputError(place,
                              fmt::format("{} is missing; a row is x,y,z,nx,ny,nz", names[i]));
         value[i] = number_from(fields[i].text, place);
+        if (i < 3 && std::abs(value[i]) > largest_coordinate)
+            throw InputError(place,
+                             fmt::format("{} is beyond {:g} metres", names[i], largest_coordinate));
     }
     if (fields.size() > names.size())
         throw InputError(

@@ -55,7 +55,7 @@ TEST(MtlReader, RefusesImpossibleValuesWithTheirPlace) {
     EXPECT_EQ(error_of("newmtl a\nKd 0 0 -0.1\n"),
               "a.mtl:2:1: reflectance Kd 0 0 -0.1 is not within 0 and 1");
     EXPECT_EQ(error_of("newmtl a\n  Ke 1 -2 0\n"),
-              "a.mtl:2:3: emitted luminance Ke 1 -2 0 is negative");
+              "a.mtl:2:3: emitted luminance Ke 1 -2 0 is negative or too large");
     EXPECT_EQ(error_of("newmtl a\nKd spectral a.rfl\n"), "a.mtl:2:4: 'spectral' is not a number");
     EXPECT_EQ(error_of("newmtl a\nKd 1 0\n"),
               "a.mtl:2:1: Kd has 2 numbers; one or three are needed");

@@ -216,7 +216,7 @@ TEST_F(SceneReader, RefusesValuesOutOfRangeWithTheirPlace) {
     EXPECT_EQ(error_after_geometry("[material.red]\nreflectance = 1.01\n"),
               "scene.toml:3:15: reflectance [1.01, 1.01, 1.01] is not within 0 and 1");
     EXPECT_EQ(error_after_geometry("[material.red]\nemission = [0, -1, 0]\n"),
-              "scene.toml:3:12: emission [0, -1, 0] is negative");
+              "scene.toml:3:12: emission [0, -1, 0] is negative or too large");
     EXPECT_EQ(error_after_geometry("[material.red]\nsides = \"back\"\n"),
               "scene.toml:3:9: sides must be \"front\" or \"both\", not 'back'");
     EXPECT_EQ(error_after_geometry("unit = \"km\"\n"),
@@ -230,9 +230,11 @@ TEST_F(SceneReader, RefusesValuesOutOfRangeWithTheirPlace) {
               "scene.toml:2:20: there is no [material.'x'] in the file");
     const std::string light = "[[light]]\nposition = [0, 0, 0]\n";
     EXPECT_EQ(error_after_geometry(light + "type = \"point\"\nintensity = -1\n"),
-              "scene.toml:5:13: intensity [-1, -1, -1] is negative");
+              "scene.toml:5:13: intensity [-1, -1, -1] is negative or too large");
     EXPECT_EQ(error_after_geometry(light + "type = \"sun\"\nintensity = 1\n"),
               "scene.toml:4:8: type must be \"point\" or \"spot\", not 'sun'");
+    EXPECT_EQ(error_after_geometry("[[light]]\nposition = [0, 1e13, 0]\ntype = \"point\"\n"),
+              "scene.toml:3:12: position is beyond 1e+12 metres");
     EXPECT_EQ(error_after_geometry(light + "type = \"point\"\n"),
               "scene.toml:2:1: the key intensity is missing in [[light]]");
     const std::string spot = light + "type = \"spot\"\nintensity = 1\n";

@@ -40,6 +40,7 @@ TEST(SensorReader, NormalisesTinyAndHugeNormals) {
 TEST(SensorReader, NamesThePlaceOfWhatIsWrong) {
     EXPECT_EQ(error_of("0,0,0,0,0,1\n0,a,0,0,0,1\n"), "s.csv:2:3: 'a' is not a number");
     EXPECT_EQ(error_of("0,0,nan,0,0,1\n"), "s.csv:1:5: 'nan' is not a finite number");
+    EXPECT_EQ(error_of("0,0,-1e13,0,0,1\n"), "s.csv:1:5: z is beyond 1e+12 metres");
     EXPECT_EQ(error_of("0,0,0,0,1\n"), "s.csv:1: nz is missing; a row is x,y,z,nx,ny,nz");
     EXPECT_EQ(error_of("0,,0,0,0,1\n"), "s.csv:1:3: y is missing; a row is x,y,z,nx,ny,nz");
     EXPECT_EQ(error_of("0,0,0,0,0,1,7\n"),
