@@ -67,6 +67,17 @@ TEST(RandomLights, KeepOutOfASolidThatReflectsInFrontOnly) {
         EXPECT_FALSE(between(light.position, low, high));
 }
 
+// Behind a wall that reflects in front only the other walls still reflect, but it is no place for a
+// lamp: its author has called that side the inside of something.
+TEST(RandomLights, KeepOutOfPlacesBehindBlackBacks) {
+    Scene scene = box_scene({3, 3, 3}, grey());
+    add_quad(scene, Quad{{Vec3(1, 0, 0), Vec3(1, 3, 0), Vec3(1, 3, 3), Vec3(1, 0, 3)}},
+             Rgb::Constant(0.5))
+        .reflecting = Sides::front;
+    for (const PointLight& light : random_lights(scene, visibility_of(scene), 50, 1))
+        EXPECT_GT(light.position[0], 1);
+}
+
 TEST(RandomLights, LightBothOfTwoClosedRooms) {
     Scene scene = box_scene({4, 2, 2}, grey());
     add_quad(scene, Quad{{Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(2, 2, 2), Vec3(2, 0, 2)}},
