@@ -12,22 +12,36 @@ Quad Element::cell(const Cell& cell) const {
     return geometry.part(r.u0, r.u1, r.v0, r.v1);
 }
 
+namespace {
+
+/// Number of the mask sample that a parameter falls on, along a side of so many cells.
+int sample_number(double at, std::uint32_t cells) {
+    return std::clamp(static_cast<int>(8 * at * cells), 0, static_cast<int>(8 * cells) - 1);
+}
+
+bool bit_at(const Element& element, int x, int y) {
+    const OpenMask mask = element.open[element.space.tree().finest_at(
+        static_cast<std::uint32_t>(x / 8), static_cast<std::uint32_t>(y / 8))];
+    return ((mask >> (8 * (y % 8) + x % 8)) & 1U) != 0;
+}
+
+}  // namespace
+
+bool Element::is_sample_open(double u, double v) const {
+    if (open.empty()) return true;
+    const CellTree& tree = space.tree();
+    return bit_at(*this, sample_number(u, tree.columns()), sample_number(v, tree.rows()));
+}
+
 bool Element::is_open(double u, double v) const {
     if (open.empty()) return true;
     const CellTree& tree = space.tree();
-    const auto sample = [](double at, std::uint32_t cells) {
-        return std::clamp(static_cast<int>(8 * at * cells), 0, static_cast<int>(8 * cells) - 1);
-    };
-    const int x = sample(u, tree.columns()), y = sample(v, tree.rows());
-    for (int j = std::max(0, y - 1); j <= std::min(y + 1, static_cast<int>(8 * tree.rows()) - 1);
-         ++j) {
-        for (int i = std::max(0, x - 1);
-             i <= std::min(x + 1, static_cast<int>(8 * tree.columns()) - 1); ++i) {
-            const OpenMask mask = open[tree.finest_at(static_cast<std::uint32_t>(i / 8),
-                                                      static_cast<std::uint32_t>(j / 8))];
-            if (((mask >> (8 * (j % 8) + i % 8)) & 1U) != 0) return true;
-        }
-    }
+    const int x = sample_number(u, tree.columns()), y = sample_number(v, tree.rows());
+    const int last_x = static_cast<int>(8 * tree.columns()) - 1;
+    const int last_y = static_cast<int>(8 * tree.rows()) - 1;
+    for (int j = std::max(0, y - 1); j <= std::min(y + 1, last_y); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(x + 1, last_x); ++i)
+            if (bit_at(*this, i, j)) return true;
     return false;
 }
 

@@ -32,6 +32,8 @@ struct Element {
     double area() const { return space.area(Cell{}); }
     /// The polygon of a spatial cell.
     Quad cell(const Cell& cell) const;
+    /// Whether light can reach the point (u,v): its bit of the mask.
+    bool is_sample_open(double u, double v) const;
     /// Whether light can reach the point (u,v), or a point within one sample of the mask from it:
     /// where in doubt, open, since what is buried is never looked at but its rim is.
     bool is_open(double u, double v) const;

@@ -14,6 +14,9 @@ namespace {
 /// Sides of a link whose sizes are within this factor are refined together.
 constexpr double similar_size = 1.6;
 
+/// Most that the rays of a finest link are multiplied by.
+constexpr double most_excess = 4;
+
 /// Refines the larger support, or both where they are of similar size; what is finest stays.
 unsigned refine_by_size(const LinkGeometry& link, double receiver_reach, double sender_reach) {
     if (link.receiver_finest) return sender_space;
@@ -35,25 +38,29 @@ unsigned refine_by_variance(const LinkGeometry& link, const KernelVariation& var
     return sides != 0 ? sides : receiver_space | sender_space;
 }
 
-/// Shares the exact exchange area of the whole link among its strata, by their kernel times
-/// visibility.
+/// Shares the exact exchange area of the whole link among its strata: by the kernel over all of
+/// each, times visibility over the open part of it.
 void share(double whole, const LinkGeometry& link, const LinkChildren& children,
            const std::array<std::array<double, 4>, 4>& kernel,
            const std::array<std::array<double, 4>, 4>& visible, LinkStrata& strata) {
     double sum = 0;
-    std::array<std::array<double, 4>, 4> product{};
-    for (int i = 0; i < children.receivers; ++i) {
-        for (int j = 0; j < children.senders; ++j) {
-            product[i][j] = link.receiver->cell(children.receiver[i]).area() *
-                            link.sender->cell(children.sender[j]).area();
-            sum += kernel[i][j] * product[i][j];
-        }
-    }
-    // Where every sample looked away the facets are slivers: their exchange is spread evenly.
-    const double even = 1.0 / (children.receivers * children.senders);
+    std::array<double, 4> area_x{}, area_y{};
+    for (int i = 0; i < children.receivers; ++i)
+        area_x[i] = link.receiver->cell(children.receiver[i]).area();
+    for (int j = 0; j < children.senders; ++j)
+        area_y[j] = link.sender->cell(children.sender[j]).area();
     for (int i = 0; i < children.receivers; ++i)
         for (int j = 0; j < children.senders; ++j)
-            strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * product[i][j] / sum : even);
+            sum += kernel[i][j] * area_x[i] * area_y[j];
+    // Where every sample looked away the facets are slivers: their exchange is spread evenly.
+    const double even = 1.0 / (children.receivers * children.senders);
+    for (int i = 0; i < children.receivers; ++i) {
+        for (int j = 0; j < children.senders; ++j) {
+            const double open = link.receiver->space.area(children.receiver[i]) *
+                                link.sender->space.area(children.sender[j]);
+            strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * open / sum : even);
+        }
+    }
 }
 
 }  // namespace
@@ -84,18 +91,17 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
     // How much does the kernel vary?
     const LinkChildren children = children_of(link);
     const KernelVariation variation = kernel_variation(link, children);
+    const double area_x = link.receiver->space.area(link.link.receiver.space);
+    const double area_y = link.sender->space.area(link.link.sender.space);
+    const double deviation = partial ? std::max(std::sqrt(variation.variance), 0.5 * variation.mean)
+                                     : std::sqrt(variation.variance);
+    const double importance =
+        deviation * std::sqrt(area_x * area_y * std::max(area_x, area_y) / scene_area_);
+    const double allowed = partial ? options_.partial_tolerance : options_.tolerance;
     if (!(link.receiver_finest && link.sender_finest)) {
-        const double area_x = link.receiver->space.area(link.link.receiver.space);
-        const double area_y = link.sender->space.area(link.link.sender.space);
         const double reach_x = link.receiver_facet.reach(), reach_y = link.sender_facet.reach();
         const double distance = (link.sender_facet.centre() - link.receiver_facet.centre()).norm();
         const bool near = distance < options_.near_ratio * (reach_x + reach_y);
-        const double deviation = partial
-                                     ? std::max(std::sqrt(variation.variance), 0.5 * variation.mean)
-                                     : std::sqrt(variation.variance);
-        const double importance =
-            deviation * std::sqrt(area_x * area_y * std::max(area_x, area_y) / scene_area_);
-        const double allowed = partial ? options_.partial_tolerance : options_.tolerance;
         if (near || !(importance < allowed))
             return {Verdict::Act::refine, near || partial ? refine_by_size(link, reach_x, reach_y)
                                                           : refine_by_variance(link, variation)};

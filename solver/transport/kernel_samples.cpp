@@ -54,6 +54,10 @@ Vec3 point_in(const Element& element, const ParameterRect& r, double u, double v
     return element.geometry.point(r.u0 + u * (r.u1 - r.u0), r.v0 + v * (r.v1 - r.v0));
 }
 
+/// Draws until one falls on an open part; a stratum that is all but buried is given up after so
+/// many.
+constexpr int most_attempts = 8;
+
 }  // namespace
 
 LinkChildren children_of(const LinkGeometry& link) {
@@ -118,22 +122,36 @@ StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& ch
         const ParameterRect at_x = link.receiver->space.tree().rect(children.receiver[i]);
         for (int j = 0; j < children.senders; ++j) {
             const ParameterRect at_y = link.sender->space.tree().rect(children.sender[j]);
+            int drawn = 0;
             for (int k = 0; k < per_stratum; ++k) {
-                const std::array<double, 4>& w = sequence.next();
-                const Vec3 x = point_in(*link.receiver, at_x, w[0], w[1]);
-                const Vec3 y = point_in(*link.sender, at_y, w[2], w[3]);
-                const double f = kernel(x, link.receiver_facet.normal, y, link.sender_facet.normal);
                 double seen = 0;
-                if (f > 0) {
-                    ++cost.rays;
-                    if (!visibility.occluded(x, link.receiver->quad, y, link.sender->quad))
-                        seen = f;
+                for (int attempt = 0; attempt < most_attempts; ++attempt) {
+                    const std::array<double, 4>& w = sequence.next();
+                    const Vec2 at_r(at_x.u0 + w[0] * (at_x.u1 - at_x.u0),
+                                    at_x.v0 + w[1] * (at_x.v1 - at_x.v0));
+                    const Vec2 at_s(at_y.u0 + w[2] * (at_y.u1 - at_y.u0),
+                                    at_y.v0 + w[3] * (at_y.v1 - at_y.v0));
+                    const Vec3 x = link.receiver->geometry.point(at_r[0], at_r[1]);
+                    const Vec3 y = link.sender->geometry.point(at_s[0], at_s[1]);
+                    const double f =
+                        kernel(x, link.receiver_facet.normal, y, link.sender_facet.normal);
+                    ++drawn;
+                    result.kernel[i][j] += f;
+                    if (!link.receiver->is_sample_open(at_r[0], at_r[1]) ||
+                        !link.sender->is_sample_open(at_s[0], at_s[1]))
+                        continue;
+                    if (f > 0) {
+                        ++cost.rays;
+                        if (!visibility.occluded(x, link.receiver->quad, y, link.sender->quad))
+                            seen = f;
+                    }
+                    break;
                 }
-                result.kernel[i][j] += f / per_stratum;
                 result.visible[i][j] += seen / per_stratum;
                 result.lowest = std::min(result.lowest, seen);
                 result.highest = std::max(result.highest, seen);
             }
+            result.kernel[i][j] /= drawn;
         }
     }
     return result;

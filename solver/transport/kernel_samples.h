@@ -33,14 +33,17 @@ KernelVariation kernel_variation(const LinkGeometry& link, const LinkChildren& c
 
 /// Quasi-random samples of the kernel and of visibility in each stratum.
 struct StratifiedSamples {
-    std::array<std::array<double, 4>, 4> kernel{};   ///< mean of F over a stratum's samples [1/m2]
-    std::array<std::array<double, 4>, 4> visible{};  ///< mean of F V
-    double lowest = 0;                               ///< of F V over all samples
-    double highest = 0;                              ///< of F V over all samples
+    std::array<std::array<double, 4>, 4> kernel{};  ///< mean of F over a stratum [1/m2]
+    std::array<std::array<double, 4>, 4>
+        visible{};       ///< mean of F V over the open part of a stratum
+    double lowest = 0;   ///< of F V over all samples
+    double highest = 0;  ///< of F V over all samples
 };
 
-/// Draws `per_stratum` samples in every stratum and traces a ray for each that faces. The sequence
-/// is fixed by the link, so results do not depend on who computes them when.
+/// Draws `per_stratum` samples in the open part of every stratum and traces a ray for each that
+/// faces: what is buried needs no ray, and no chance decides how much of it there is (see
+/// OpenMask). The sequence is fixed by the link, so results do not depend on who computes them
+/// when.
 StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& children,
                                 int per_stratum, const Visibility& visibility, OracleCost& cost);
 

@@ -29,8 +29,8 @@ Verdict VariationOracle::judge(const LinkGeometry& link, std::vector<int>& /*occ
     for (int i = 0; i < children.receivers; ++i)
         for (int j = 0; j < children.senders; ++j)
             strata.exchange[i][j] = samples.visible[i][j] *
-                                    link.receiver->cell(children.receiver[i]).area() *
-                                    link.sender->cell(children.sender[j]).area();
+                                    link.receiver->space.area(children.receiver[i]) *
+                                    link.sender->space.area(children.sender[j]);
     strata.sampled = true;
     return {Verdict::Act::keep, 0};
 }
