@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "radiance4d/operator/byte_stream.h"
+#include "radiance4d/scene/scene.h"
+
+namespace lightwell {
+
+/// Content of chunk SCEN: materials and quads. Canonical: equal scenes give equal bytes.
+std::string surfaces_bytes(const Scene& scene);
+/// Content of chunk LITE: names, lights, camera and sensor grids.
+std::string surroundings_bytes(const Scene& scene);
+
+/// Fills in what the chunk holds and checks it. @throws InputError
+void read_surfaces(ByteReader& reader, Scene& scene);
+void read_surroundings(ByteReader& reader, Scene& scene);
+
+}  // namespace lightwell
