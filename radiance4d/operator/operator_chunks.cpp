@@ -95,7 +95,7 @@ std::string index_bytes(const TransportOperator& operator_) {
 
 std::string value_bytes(const TransportOperator& operator_) {
     std::vector<std::uint32_t> bits(operator_.value.size());
-    std::memcpy(bits.data(), operator_.value.data(), 4 * bits.size());
+    if (!bits.empty()) std::memcpy(bits.data(), operator_.value.data(), 4 * bits.size());
     return planes_of(bits.data(), bits.size(), 4);
 }
 
@@ -133,7 +133,7 @@ void read_values(ByteReader& reader, TransportOperator& operator_) {
     gather_planes(reader.take(4 * count), count, 4, bits.data());
     reader.finish();
     operator_.value.resize(count);
-    std::memcpy(operator_.value.data(), bits.data(), 4 * count);
+    if (count > 0) std::memcpy(operator_.value.data(), bits.data(), 4 * count);
 }
 
 }  // namespace lightwell
