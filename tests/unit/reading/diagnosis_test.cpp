@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/reading/quad_contact.h"
+#include "solver/reading/surface_mesh.h"
 
 namespace lightwell {
 namespace {
@@ -97,6 +98,8 @@ TEST(Diagnosis, TellsCrossingFromStandingOnAQuad) {
     // Of the wall that stands on the floor, three sides are open; of the floor, four.
     EXPECT_EQ(counts(with_wall(0)), (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 7}));
     EXPECT_EQ(counts(with_wall(-0.1)), (std::vector<int>{0, 0, 0, 0, 1, 0, 0, 8}));
+    // Less than a millionth of the scene's diagonal is rounding.
+    EXPECT_EQ(counts(with_wall(-1e-6)), counts(with_wall(0)));
     EXPECT_EQ(counts(with_wall(0.1)), (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 8}));
 }
 
@@ -216,6 +219,19 @@ TEST(Diagnosis, ExplainsItselfInLines) {
     const std::string text = to_string(diagnose(maker.scene), maker.scene);
     EXPECT_NE(text.find("open edges: 4 (first at quad 1"), std::string::npos) << text;
     EXPECT_NE(text.find("matters"), std::string::npos);
+}
+
+TEST(SurfaceMesh, JoinsNothingAtASideOfManyQuads) {
+    std::vector<Quad> fan;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = 2 * M_PI * i / 5;
+        const Vec3 out(std::cos(angle), std::sin(angle), 0);
+        fan.push_back({{Vec3::Zero(), out, out + Vec3::UnitZ(), Vec3::UnitZ()}});
+    }
+    const SurfaceMesh mesh = surface_mesh(weld(fan), std::vector<bool>(5, false));
+    EXPECT_EQ(mesh.open_sides.size(), 15u);
+    EXPECT_EQ(mesh.many_quad_sides, 1);
+    EXPECT_EQ(mesh.surfaces, 5);
 }
 
 TEST(QuadContact, KnowsPointsOnAQuad) {
