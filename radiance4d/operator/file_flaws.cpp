@@ -135,6 +135,8 @@ std::string flaw_of_space(const std::vector<ElementShape>& shapes, const Scene& 
         taken[side] = true;
         if (functions_of({shape}) > (std::uint64_t{1} << most_levels))
             return fmt::format("element {}: more than 2^{} functions", e, most_levels);
+        if (!shape.open.empty() && shape.open.size() != functions_of(shape.space))
+            return fmt::format("element {}: {} masks of cells", e, shape.open.size());
         if (const std::string flaw = flaw_of_element_quad(scene.quads[quad].quad); !flaw.empty())
             return fmt::format("element {}: quad {} {}", e, quad, flaw);
     }

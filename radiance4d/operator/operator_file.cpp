@@ -51,6 +51,9 @@ std::string flaw_of(const GlobalTransport& transport, const std::vector<ElementS
         if (geometry_of(shapes[e], transport.scene).vertex !=
             transport.space.element(e).geometry.vertex)
             return fmt::format("element {} does not lie on its quad", e);
+    // Nor does it keep the bases, which must follow from quads, trees and masks.
+    if (space_from(shapes, transport.scene).area() != transport.space.area())
+        return "an element has a basis other than its quad, tree and masks give";
     return {};
 }
 

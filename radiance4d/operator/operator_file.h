@@ -39,7 +39,8 @@ namespace lightwell {
 /// |       | angle (doubles); u8 camera present, position, target, up, vertical angle; number of |
 /// |       | sensor grids, each: name, origin, along, across, normal, columns, rows             |
 /// | SPAC  | number of elements, each: quad, u8 side (0 front, 1 back), u8 levels of the        |
-/// |       | spatial tree, u8 levels of the angular tree, their splits (u8: 0 u, 1 v, 2 both)   |
+/// |       | spatial tree, u8 levels of the angular tree, their splits (u8: 0 u, 1 v, 2 both);  |
+/// |       | u8 masks present, then the open mask of every finest cell (u64)                    |
 /// | CHAN  | number of distinct channels (1 to 3), then which of them red, green and blue use   |
 /// | DTOI  | where the coefficients of the symmetric bounce operator stand (row <= column):     |
 /// |       | columns u32, planes p u32 (1 to 4), coefficients u64, coefficients of each column  |

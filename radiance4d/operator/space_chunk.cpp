@@ -8,15 +8,7 @@ namespace lightwell {
 
 namespace {
 
-constexpr std::size_t least_element_bytes = 4 + 3;
-
-/// Finest cells of the tree, which are its functions; saturates far above what is allowed.
-std::uint64_t functions_of(const std::vector<Split>& splits) {
-    std::uint64_t functions = 1;
-    for (const Split split : splits)
-        if (functions < (std::uint64_t{1} << 30)) functions *= split == Split::both ? 4 : 2;
-    return functions;
-}
+constexpr std::size_t least_element_bytes = 4 + 4;
 
 void write(ByteWriter& writer, const std::vector<Split>& splits) {
     for (const Split split : splits)
@@ -30,13 +22,35 @@ std::vector<Split> read_splits(ByteReader& reader, int levels) {
     return splits;
 }
 
+void write(ByteWriter& writer, const std::vector<OpenMask>& open) {
+    writer.number(static_cast<std::uint8_t>(!open.empty()));
+    for (const OpenMask mask : open)
+        writer.number(mask);
+}
+
+std::vector<OpenMask> read_open(ByteReader& reader, std::uint64_t cells) {
+    if (reader.choice(2) == 0) return {};
+    if (cells > reader.left() / sizeof(OpenMask)) reader.fail("masks of cells are missing");
+    std::vector<OpenMask> open(cells);
+    for (OpenMask& mask : open)
+        mask = reader.number<OpenMask>();
+    return open;
+}
+
 }  // namespace
+
+std::uint64_t functions_of(const std::vector<Split>& splits) {
+    std::uint64_t functions = 1;
+    for (const Split split : splits)
+        if (functions < (std::uint64_t{1} << 30)) functions *= split == Split::both ? 4 : 2;
+    return functions;
+}
 
 std::vector<ElementShape> shapes_of(const RadianceSpace& space) {
     std::vector<ElementShape> shapes;
     for (const Element& element : space.elements())
-        shapes.push_back(
-            {element.quad, element.front, element.space.tree().splits(), element.angle.splits()});
+        shapes.push_back({element.quad, element.front, element.space.tree().splits(),
+                          element.angle.splits(), element.open});
     return shapes;
 }
 
@@ -50,6 +64,7 @@ std::string space_bytes(const std::vector<ElementShape>& shapes) {
         writer.number(static_cast<std::uint8_t>(shape.angle.size()));
         write(writer, shape.space);
         write(writer, shape.angle);
+        write(writer, shape.open);
     }
     return writer.bytes();
 }
@@ -63,6 +78,7 @@ std::vector<ElementShape> read_space(ByteReader& reader, const Scene& scene) {
         const int angle_levels = reader.choice(most_levels + 1);
         shape.space = read_splits(reader, space_levels);
         shape.angle = read_splits(reader, angle_levels);
+        shape.open = read_open(reader, functions_of(shape.space));
     }
     reader.finish();
     reader.require_no(flaw_of_space(shapes, scene));
@@ -90,7 +106,7 @@ RadianceSpace space_from(const std::vector<ElementShape>& shapes, const Scene& s
         element.quad = shape.quad;
         element.front = shape.front;
         element.geometry = geometry_of(shape, scene);
-        element.space = HaarBasis(element.geometry, CellTree(shape.space));
+        element.set_space(CellTree(shape.space), shape.open);
         element.angle = CellTree(shape.angle);
         elements.push_back(std::move(element));
     }

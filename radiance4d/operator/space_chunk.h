@@ -15,6 +15,7 @@ struct ElementShape {
     bool front = true;
     std::vector<Split> space;
     std::vector<Split> angle;
+    std::vector<OpenMask> open;  ///< as Element::open
 };
 
 std::vector<ElementShape> shapes_of(const RadianceSpace& space);
@@ -24,6 +25,8 @@ std::string space_bytes(const std::vector<ElementShape>& shapes);
 /// Reads the chunk and checks it against the scene. @throws InputError
 std::vector<ElementShape> read_space(ByteReader& reader, const Scene& scene);
 
+/// Finest cells of a tree, which are its functions; saturates far above what is allowed.
+std::uint64_t functions_of(const std::vector<Split>& splits);
 /// Basis functions of all elements together.
 std::uint64_t functions_of(const std::vector<ElementShape>& shapes);
 /// The quad as an element sees it.

@@ -185,8 +185,8 @@ TEST_F(Damage, CountsBeyondTheContentTakeNoMemory) {
 TEST_F(Damage, DeepTreesTakeNoMemory) {
     const auto deep = [](int levels) {
         const auto most = static_cast<char>(levels);
-        return std::string("\1\0\0\0\0\0\0\0\0", 9).substr(0, 9) + most + '\0' +
-               std::string(static_cast<std::size_t>(levels), '\2');
+        return std::string("\1\0\0\0\0\0\0\0\0", 9) + most + '\0' +
+               std::string(static_cast<std::size_t>(levels), '\2') + '\0';
     };
     EXPECT_TRUE(contains(refusal_with("SPAC", [&](std::string& c) { c = deep(14); }),
                          "over 268435456 basis functions"));
@@ -215,7 +215,11 @@ TEST_F(Damage, ImpossibleElementsAreRefused) {
     EXPECT_TRUE(contains(refusal_with("SPAC", 4, 5), "element 0: quad 5 of 5"));
     EXPECT_TRUE(contains(refusal_with("SPAC", 8, '\1'), "element 1: quad 0 has this side already"));
     EXPECT_TRUE(contains(refusal_with("SPAC", 11, '\3'), "3 stands where at most 2 may"));
-    EXPECT_TRUE(contains(refusal_with("SPAC", 11, '\2'), "basis functions"));
+    EXPECT_TRUE(contains(refusal_with("SPAC", 13, '\2'), "2 stands where at most 1 may"));
+    // One element of four cells with masks, of which only one follows.
+    const std::string short_of_masks("\1\0\0\0\0\0\0\0\0\1\0\2\1MASKMASK", 21);
+    EXPECT_TRUE(contains(refusal_with("SPAC", [&](std::string& c) { c = short_of_masks; }),
+                         "masks of cells are missing"));
 }
 
 TEST_F(Damage, ImpossibleOperatorsAreRefused) {

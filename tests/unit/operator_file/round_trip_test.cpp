@@ -117,6 +117,7 @@ TEST_F(RoundTrip, KeepsElementsAndTheirBases) {
         EXPECT_EQ(a.geometry.vertex, b.geometry.vertex);
         EXPECT_EQ(a.space.tree(), b.space.tree());
         EXPECT_EQ(a.angle, b.angle);
+        EXPECT_EQ(a.open, b.open);
         for (std::uint32_t p = 0; p < a.space.tree().positions(); ++p)
             EXPECT_EQ(a.space.area(a.space.tree().at(p)), b.space.area(b.space.tree().at(p)));
     }
@@ -237,6 +238,11 @@ TEST_F(RoundTrip, RefusesToWriteNonsense) {
     expect_refusal([](auto& t) { t.scene.materials[0].reflectance[0] = 1.01; });
     expect_refusal([](auto& t) { t.scene.quads[0].quad.vertex[1][0] += 1e-9; });
     expect_refusal([](auto& t) { t.provenance.error_asked = INFINITY; });
+    expect_refusal([](auto& t) {
+        std::vector<Element> elements = t.space.elements();
+        elements[2].open.clear();
+        t.space = RadianceSpace(elements);
+    });
     EXPECT_THROW(write_operator_file(path_, sample_transport(), "[1]"), BrokenInvariant);
     EXPECT_THROW(write_operator_file(path_, sample_transport(), "{"), BrokenInvariant);
     EXPECT_EQ(folder_.files(), 0U);

@@ -43,13 +43,13 @@ Scene sample_scene() {
 }
 
 Element element_of(const Scene& scene, int quad, bool front, std::vector<Split> space,
-                   std::vector<Split> angle) {
+                   std::vector<Split> angle, std::vector<OpenMask> open = {}) {
     const Quad& geometry = scene.quads[static_cast<std::size_t>(quad)].quad;
     Element element;
     element.quad = quad;
     element.front = front;
     element.geometry = front ? geometry : geometry.reversed();
-    element.space = HaarBasis(element.geometry, CellTree(std::move(space)));
+    element.set_space(CellTree(std::move(space)), std::move(open));
     element.angle = CellTree(std::move(angle));
     return element;
 }
@@ -83,11 +83,12 @@ GlobalTransport sample_transport(std::uint32_t per_column) {
     GlobalTransport transport;
     transport.scene = sample_scene();
     const Scene& scene = transport.scene;
-    transport.space = RadianceSpace({element_of(scene, 0, true, {S::u, S::both}, {}),
-                                     element_of(scene, 0, false, {}, {S::both}),
-                                     element_of(scene, 2, true, {S::both, S::v}, {S::both, S::u}),
-                                     element_of(scene, 1, false, {S::v}, {}),
-                                     element_of(scene, 3, true, {}, {})});
+    transport.space = RadianceSpace(
+        {element_of(scene, 0, true, {S::u, S::both}, {}),
+         element_of(scene, 0, false, {}, {S::both}),
+         element_of(scene, 2, true, {S::both, S::v}, {S::both, S::u},
+                    {all_open, 0, 1, 0xff00ff, all_open, all_open, 7, all_open}),
+         element_of(scene, 1, false, {S::v}, {}), element_of(scene, 3, true, {}, {})});
     const std::uint32_t size = transport.space.functions();
     transport.bounce.upper = random_operator(size, per_column, true, 1);
     transport.indirect = {random_operator(size, per_column, false, 2),
@@ -109,6 +110,8 @@ std::string fingerprint(const GlobalTransport& transport) {
             text << ' ' << vertex.transpose();
         for (std::uint32_t p = 0; p < element.space.tree().positions(); ++p)
             text << ' ' << element.space.area(element.space.tree().at(p));
+        for (const OpenMask mask : element.open)
+            text << " mask " << mask;
         for (const Split split : element.angle.splits())
             text << " split " << static_cast<int>(split);
     }
