@@ -46,6 +46,15 @@ double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
     return (b - a).cross(c - a).norm() / longest;
 }
 
+/// The first round of an outline that goes round several times.
+std::vector<int> first_round(const std::vector<int>& ids) {
+    for (std::size_t length = 3; 2 * length <= ids.size(); ++length)
+        if (ids.size() % length == 0 &&
+            std::equal(ids.begin() + static_cast<std::ptrdiff_t>(length), ids.end(), ids.begin()))
+            return {ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(length)};
+    return ids;
+}
+
 using Corners = std::array<int, 3>;
 
 /// The ears of an outline; none if it crosses itself.
@@ -127,6 +136,7 @@ class QuadMaker {
         for (int i = shape.first; i < shape.first + shape.count; ++i)
             ids.push_back(
                 same_place_[static_cast<std::size_t>(soup_.corners[static_cast<std::size_t>(i)])]);
+        ids = first_round(ids);
         const Outline outline = outline_of(ids);
         std::vector<int> kept;
         for (const int corner : shaping_corners(outline, rule_.flatness * diameter(outline)))

@@ -37,6 +37,7 @@ struct QuadsOfPolygons {
 /// - A corner flatter than the rule is left out: it does not shape the polygon, and as a corner of
 ///   a quad its Jacobian would vanish. The T-vertex this may leave in a neighbour does no harm:
 ///   elements are not joined by their vertices.
+/// - An outline that goes round several times is taken once.
 /// - Convex planar quads are kept as they are, larger convex polygons are cut by a ladder of rungs
 ///   (see cut_convex), concave ones into triangles by clipping ears.
 /// - A bent quad is cut along the diagonal that leaves the rounder triangles, a larger bent polygon

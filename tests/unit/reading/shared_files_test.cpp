@@ -13,6 +13,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// [s] Sanitizers slow everything down.
+#ifdef __SANITIZE_ADDRESS__
+constexpr double time_limit = 10;
+#else
+constexpr double time_limit = 1;
+#endif
+
 /// Everything later stages rely on.
 void expect_sound(const Scene& scene, const std::string& file) {
     ASSERT_FALSE(scene.quads.empty()) << file;
@@ -35,7 +42,7 @@ std::optional<ReadScene> read_in_time(const std::filesystem::path& file) {
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find(':'), std::string::npos) << error.what();
     }
-    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 1.) << file;
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), time_limit) << file;
     return read;
 }
 
@@ -71,23 +78,22 @@ TEST_P(HostileFile, GivesWhatItSays) {
 // Checked by hand against what each file says.
 INSTANTIATE_TEST_SUITE_P(
     SharedFiles, HostileFile,
-    ::testing::Values(Expectation{"probes/bom.obj", 1}, Expectation{"probes/cont.obj", 1},
-                      Expectation{"probes/comma.obj", 0}, Expectation{"probes/dup.obj", 3},
-                      Expectation{"probes/dupface.obj", 2}, Expectation{"probes/flip.obj", 2},
-                      Expectation{"probes/nonman.obj", 3}, Expectation{"probes/fakebin.ply", 0},
-                      Expectation{"probes/qf.ply", 1}, Expectation{"assimp/box_UTF16BE.obj", 0},
-                      Expectation{"assimp/box.obj", 6}, Expectation{"assimp/testmixed.obj", 6},
-                      Expectation{"assimp/cube_binary.ply", 6},
-                      Expectation{"assimp/cube_binary_header_with_RN_newline.ply", 6},
-                      Expectation{"assimp/cube_binary_starts_with_nl.ply", 6},
-                      Expectation{"tinyobj/issue-138.obj", 6},
-                      Expectation{"tinyobj/issue-161-inconsistent-f.obj", 6},
-                      Expectation{"tinyobj/usemtl-issue-104.obj", 3},
-                      Expectation{"tinyobj/line-prim.obj", 0},
-                      Expectation{"tinyobj/cornell_box.obj", 23},
-                      Expectation{"trimesh/nancolor.obj", 6},
-                      Expectation{"trimesh/negative_indices.obj", 6},
-                      Expectation{"trimesh/polygonfaces.obj", 9}));
+    ::testing::Values(
+        Expectation{"probes/bom.obj", 1}, Expectation{"probes/cont.obj", 1},
+        Expectation{"probes/comma.obj", 0}, Expectation{"probes/dup.obj", 3},
+        Expectation{"probes/dupface.obj", 2}, Expectation{"probes/flip.obj", 2},
+        Expectation{"probes/nonman.obj", 3}, Expectation{"probes/fakebin.ply", 0},
+        Expectation{"probes/qf.ply", 1}, Expectation{"assimp/box_UTF16BE.obj", 0},
+        Expectation{"assimp/box.obj", 6}, Expectation{"assimp/box_longline.obj", 6},
+        Expectation{"assimp/testmixed.obj", 6}, Expectation{"assimp/cube_binary.ply", 6},
+        Expectation{"assimp/cube_binary_header_with_RN_newline.ply", 6},
+        Expectation{"assimp/cube_binary_starts_with_nl.ply", 6},
+        Expectation{"tinyobj/issue-138.obj", 6},
+        Expectation{"tinyobj/issue-161-inconsistent-f.obj", 6},
+        Expectation{"tinyobj/usemtl-issue-104.obj", 3}, Expectation{"tinyobj/line-prim.obj", 0},
+        Expectation{"tinyobj/cornell_box.obj", 23}, Expectation{"trimesh/nancolor.obj", 6},
+        Expectation{"trimesh/negative_indices.obj", 6},
+        Expectation{"trimesh/polygonfaces.obj", 9}));
 
 TEST(SharedFiles, HolesThatAreJoinedToTheRimStayOpen) {
     const auto shared = testing::shared_folder();
