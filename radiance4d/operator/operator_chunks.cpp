@@ -1,5 +1,7 @@
 #include "radiance4d/operator/operator_chunks.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -25,29 +27,27 @@ std::string planes_of(const std::uint32_t* numbers, std::size_t count, std::uint
     return bytes;
 }
 
-/// The inverse of planes_of. Planes that are not there are zero.
+/// The inverse of planes_of: numbers `begin` to `begin + size` of `count`. Planes that are not
+/// there are zero.
 void gather_planes(std::string_view bytes, std::size_t count, std::uint32_t planes,
-                   std::uint32_t* numbers) {
-    const auto plane = [&](std::uint32_t p) {
-        return reinterpret_cast<const std::uint8_t*>(bytes.data()) + p * count;
-    };
-    const auto* first = plane(0);
-    if (planes == 1) {
-        for (std::size_t k = 0; k < count; ++k)
-            numbers[k] = first[k];
-        return;
+                   std::size_t begin, std::size_t size, std::uint32_t* numbers) {
+    std::fill_n(numbers, size, 0U);
+    for (std::uint32_t p = 0; p < planes; ++p) {
+        const auto* plane = reinterpret_cast<const std::uint8_t*>(bytes.data()) + p * count + begin;
+        for (std::size_t k = 0; k < size; ++k)
+            numbers[k] |= std::uint32_t{plane[k]} << (8 * p);
     }
-    const auto* second = plane(1);
-    if (planes == 2) {
-        for (std::size_t k = 0; k < count; ++k)
-            numbers[k] = first[k] | std::uint32_t{second[k]} << 8U;
-        return;
+}
+
+/// Calls use(begin, numbers, size) for one block after another, each small enough for the cache.
+template <typename Use>
+void for_each_block(std::string_view bytes, std::size_t count, std::uint32_t planes, Use use) {
+    std::array<std::uint32_t, 4096> block;
+    for (std::size_t begin = 0; begin < count; begin += block.size()) {
+        const std::size_t size = std::min(block.size(), count - begin);
+        gather_planes(bytes, count, planes, begin, size, block.data());
+        use(begin, block.data(), size);
     }
-    const auto* third = plane(2);
-    const auto* fourth = planes == 4 ? plane(3) : nullptr;
-    for (std::size_t k = 0; k < count; ++k)
-        numbers[k] = first[k] | std::uint32_t{second[k]} << 8U | std::uint32_t{third[k]} << 16U |
-                     (fourth ? std::uint32_t{fourth[k]} << 24U : 0);
 }
 
 /// The gaps before the rows of each column; the row before the first is -1.
@@ -119,7 +119,10 @@ TransportOperator read_index(ByteReader& reader) {
     if (operator_.column_start.back() != coefficients)
         reader.fail("the columns do not add up to the coefficients");
     operator_.row.resize(coefficients);
-    gather_planes(reader.take(coefficients * planes), coefficients, planes, operator_.row.data());
+    for_each_block(reader.take(coefficients * planes), coefficients, planes,
+                   [&](std::size_t begin, const std::uint32_t* gaps, std::size_t size) {
+                       std::copy_n(gaps, size, operator_.row.data() + begin);
+                   });
     reader.finish();
     rows_from_gaps(operator_);
     return operator_;
@@ -129,11 +132,12 @@ void read_values(ByteReader& reader, TransportOperator& operator_) {
     const std::size_t count = operator_.row.size();
     if (reader.left() / 4 < count)
         reader.fail(fmt::format("{} values for {} coefficients", reader.left() / 4, count));
-    std::vector<std::uint32_t> bits(count);
-    gather_planes(reader.take(4 * count), count, 4, bits.data());
-    reader.finish();
     operator_.value.resize(count);
-    if (count > 0) std::memcpy(operator_.value.data(), bits.data(), 4 * count);
+    for_each_block(reader.take(4 * count), count, 4,
+                   [&](std::size_t begin, const std::uint32_t* bits, std::size_t size) {
+                       std::memcpy(operator_.value.data() + begin, bits, 4 * size);
+                   });
+    reader.finish();
 }
 
 }  // namespace lightwell
