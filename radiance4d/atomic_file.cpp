@@ -94,9 +94,8 @@ void synchronise(const std::filesystem::path& folder) {
     close(descriptor);
 }
 
-}  // namespace
-
-void write_atomically(const std::string& path, std::string_view bytes) {
+/// Where a file of that name is to be put, symbolic links followed.
+std::filesystem::path target_of(const std::string& path) {
     namespace fs = std::filesystem;
     std::error_code error;
     fs::path target(path);
@@ -104,12 +103,23 @@ void write_atomically(const std::string& path, std::string_view bytes) {
     if (!target.has_filename() ||
         (fs::exists(target, error) && !fs::is_regular_file(target, error)))
         throw InputError(fmt::format("{}: is not a regular file", path));
+    return target;
+}
 
+}  // namespace
+
+void write_atomically(const std::string& path, std::string_view bytes) {
+    const std::filesystem::path target = target_of(path);
     Temporary temporary(target.string());
     temporary.write(bytes);
     temporary.compare(bytes);
     temporary.rename_to_target();
-    synchronise(target.has_parent_path() ? target.parent_path() : fs::path("."));
+    synchronise(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));
+}
+
+void require_writable(const std::string& path) {
+    // Only trying tells: permissions, read-only disks and root's rights all have their own rules.
+    const Temporary temporary(target_of(path).string());
 }
 
 }  // namespace lightwell

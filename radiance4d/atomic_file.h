@@ -14,4 +14,9 @@ namespace lightwell {
 /// that name; SystemError if the disk is full or the folder may not be written to.
 void write_atomically(const std::string& path, std::string_view bytes);
 
+/// Checks, before long work, that write_atomically could make a file of that name now: a temporary
+/// is made beside it and removed again.
+/// @throws as write_atomically
+void require_writable(const std::string& path);
+
 }  // namespace lightwell

@@ -1,0 +1,168 @@
+#include <chrono>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <signal.h>
+#include <unistd.h>
+
+#include "tests/commands/program.h"
+
+namespace lightwell {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Enough work that a signal after a fraction of a second meets it: the finest cells there are.
+Words long_work(const std::string& output) {
+    return {"precompute", sample_scene("office"), "-o", output, "--error", "0.005"};
+}
+
+TEST(Precompute, ReportsTheDocumentedKeysAsPlainNumbers) {
+    const ScratchFolder folder;
+    const std::string file = folder / "box.gto";
+    const ProgramRun run = lightwell(
+        {"precompute", sample_scene("cornell-box"), "-o", file, "--error", "0.3", "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const nlohmann::json report = nlohmann::json::parse(run.out);
+    for (const char* key : {"quads", "rays", "links", "dto_coefficients", "bytes", "bounces"}) {
+        ASSERT_TRUE(report.contains(key)) << key;
+        EXPECT_TRUE(report[key].is_number_unsigned()) << key << report[key];
+        EXPECT_GT(report[key], 0) << key;
+    }
+    EXPECT_EQ(report["quads"], 16);
+    EXPECT_EQ(report["bytes"], std::filesystem::file_size(file));
+    EXPECT_EQ(report["error_asked"], 0.3);
+    EXPECT_TRUE(report["error_estimated"].is_number());
+    EXPECT_TRUE(report["energy_dropped"].is_number());
+    ASSERT_EQ(report["gto_coefficients"].size(), 3u);
+    for (const auto& count : report["gto_coefficients"])
+        EXPECT_GT(count, 0);
+    double sum = 0;
+    for (const auto& [stage, seconds] : report["seconds"].items())
+        if (stage != "total") sum += seconds.get<double>();
+    EXPECT_NEAR(report["seconds"]["total"].get<double>(), sum, 1e-6);
+}
+
+TEST(Precompute, SummaryGoesToStandardOutputAndNothingToTheOther) {
+    const ScratchFolder folder;
+    const ProgramRun run =
+        lightwell({"precompute", sample_scene("corner"), "-o", folder / "c.gto", "--error", "0.3"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    for (const char* word : {"quads", "rays", "links", "coefficients", "bounces", "error asked",
+                             "estimated", "seconds", "dropped"})
+        EXPECT_NE(run.out.find(word), std::string::npos) << word << " in " << run.out;
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(folder.names(), Words{"c.gto"});
+}
+
+TEST(Precompute, QuietIsSilent) {
+    const ScratchFolder folder;
+    const std::string bare =
+        folder.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    const ProgramRun loud = lightwell({"precompute", bare, "-o", folder / "a.gto"});
+    EXPECT_EQ(loud.status, 0);
+    EXPECT_EQ(loud.err.rfind("lightwell: " + bare, 0), 0u) << loud.err;
+    EXPECT_NE(loud.err.find("warning: "), std::string::npos) << "the missing material";
+    const ProgramRun quiet = lightwell({"precompute", bare, "-o", folder / "a.gto", "-q"});
+    EXPECT_EQ(quiet.status, 0);
+    EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST(Precompute, AFolderWithASceneFileIsAScene) {
+    const ScratchFolder folder;
+    const std::string corner = std::filesystem::path(sample_scene("corner")).parent_path();
+    EXPECT_EQ(lightwell({"precompute", corner, "-o", folder / "c.gto", "--error", "0.3"}).status,
+              0);
+    EXPECT_EQ(lightwell({"precompute", folder.path(), "-o", folder / "d.gto"}).status, 1);
+}
+
+TEST(Precompute, BytesAreTheSameForAnyNumberOfThreads) {
+    const ScratchFolder folder;
+    std::string first;
+    for (const char* threads : {"1", "2", "5"}) {
+        const std::string file = folder / threads;
+        const ProgramRun run = lightwell({"precompute", sample_scene("cornell-box"), "-o", file,
+                                          "--error", "0.3", "--threads", threads});
+        ASSERT_EQ(run.status, 0) << run.err;
+        const std::string bytes = contents(file);
+        if (first.empty()) first = bytes;
+        EXPECT_EQ(bytes, first) << threads << " threads";
+    }
+}
+
+TEST(Precompute, ErrorsAreToldApartAndLeaveNothing) {
+    const ScratchFolder folder;
+    const std::string output = folder / "x.gto";
+    // The user's mistakes.
+    EXPECT_EQ(lightwell({"precompute", folder / "none.toml", "-o", output}).status, 1);
+    EXPECT_EQ(lightwell({"precompute", sample_scene("corner"), "-o", folder / "no/x.gto"}).status,
+              1);
+    EXPECT_EQ(lightwell({"precompute", sample_scene("corner"), "-o", folder.path()}).status, 1);
+    const std::string broken = folder.write("broken.obj", "v 0 0 0\nv 1 0\n");
+    const ProgramRun run = lightwell({"precompute", broken, "-o", output});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.err.rfind("lightwell: " + broken + ":2:", 0), 0u) << run.err;
+    EXPECT_EQ(folder.names(), Words{"broken.obj"});
+}
+
+TEST(Precompute, AFailureKeepsWhatWasThere) {
+    const ScratchFolder folder;
+    const std::string output = folder.write("x.gto", "precious");
+    EXPECT_EQ(lightwell({"precompute", folder / "none.toml", "-o", output}).status, 1);
+    EXPECT_EQ(contents(output), "precious");
+}
+
+TEST(Precompute, AFolderThatTakesNoFileIsToldBeforeTheWork) {
+    const ScratchFolder folder;
+    std::filesystem::permissions(
+        folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    std::string output = folder / "x.gto";
+    // Root may write anywhere but on a system that takes no files at all.
+    if (geteuid() == 0) output = "/sys/kernel/x.gto";
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramRun run = lightwell(long_work(output));
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_NE(run.err.find(output), std::string::npos) << run.err;
+    EXPECT_LT(passed.count(), 5);
+}
+
+class Interruption : public ::testing::TestWithParam<int> {};
+
+TEST_P(Interruption, StopsCleanlyAndLeavesNothing) {
+    const ScratchFolder folder;
+    ProgramSetting setting;
+    setting.signal = GetParam();
+    setting.signal_after = 0.5;
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramRun run = lightwell(long_work(folder / "x.gto"), setting);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.err.rfind("lightwell: ", 0), 0u) << run.err;
+    EXPECT_TRUE(folder.names().empty()) << folder.names().front();
+    EXPECT_LT(passed.count(), 10) << "stopping took too long";
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interruption, ::testing::Values(SIGINT, SIGTERM));
+
+TEST(Progress, IsShownOnATerminalOnly) {
+    const ScratchFolder folder;
+    ProgramSetting terminal;
+    terminal.on_terminal = true;
+    Words words = {"precompute", sample_scene("cornell-box"), "-o", folder / "c.gto", "--error",
+                   "0.2"};
+    const ProgramRun shown = lightwell(words, terminal);
+    EXPECT_EQ(shown.status, 0);
+    EXPECT_NE(shown.err.find(" %"), std::string::npos) << shown.err;
+    EXPECT_EQ(lightwell(words).err, "");
+    words.push_back("--no-progress");
+    EXPECT_EQ(lightwell(words, terminal).err, "");
+    words.back() = "-q";
+    EXPECT_EQ(lightwell(words, terminal).err, "");
+}
+
+}  // namespace
+}  // namespace lightwell

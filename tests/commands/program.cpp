@@ -1,0 +1,150 @@
+#include "tests/commands/program.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace lightwell {
+
+namespace {
+
+/// What comes out of a descriptor until its other end is closed.
+std::string drained(int descriptor) {
+    std::string text;
+    char block[4096];
+    for (;;) {
+        const ssize_t count = read(descriptor, block, sizeof block);
+        if (count < 0 && errno == EINTR) continue;
+        // A terminal whose other end is closed fails instead of ending.
+        if (count <= 0) break;
+        text.append(block, static_cast<std::size_t>(count));
+    }
+    close(descriptor);
+    return text;
+}
+
+/// Both ends of a pipe, or of a terminal: what is written to [1] is read from [0].
+std::array<int, 2> channel(bool terminal) {
+    std::array<int, 2> ends{};
+    if (terminal)
+        EXPECT_EQ(openpty(&ends[0], &ends[1], nullptr, nullptr, nullptr), 0);
+    else
+        EXPECT_EQ(pipe(ends.data()), 0);
+    for (const int end : ends)
+        fcntl(end, F_SETFD, FD_CLOEXEC);
+    return ends;
+}
+
+}  // namespace
+
+ProgramRun lightwell(const std::vector<std::string>& arguments, const ProgramSetting& setting) {
+    const std::array<int, 2> out = channel(false), err = channel(setting.on_terminal);
+    std::vector<std::string> words = {LIGHTWELL_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+        argv.push_back(word.data());
+    argv.push_back(nullptr);
+
+    const pid_t child = fork();
+    if (child == 0) {
+        int target = out[1];
+        if (!setting.out_file.empty()) target = open(setting.out_file.c_str(), O_WRONLY);
+        dup2(target, STDOUT_FILENO);
+        dup2(err[1], STDERR_FILENO);
+        execv(argv[0], argv.data());
+        _exit(127);
+    }
+    close(out[1]);
+    close(err[1]);
+    ProgramRun run;
+    std::thread reader([&] { run.err = drained(err[0]); });
+    std::thread signaller([&] {
+        if (setting.signal == 0) return;
+        std::this_thread::sleep_for(std::chrono::duration<double>(setting.signal_after));
+        kill(child, setting.signal);
+    });
+    run.out = drained(out[0]);
+    reader.join();
+    signaller.join();
+    int status = 0;
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return run;
+}
+
+std::string sample_scene(const std::string& name) {
+    return std::string(LIGHTWELL_SCENES) + "/" + name + "/scene.toml";
+}
+
+ScratchFolder::ScratchFolder() {
+    // A space and letters beyond ASCII: names that real users' folders have.
+    std::string name =
+        (std::filesystem::temp_directory_path() / "lightwell t\xc3\xa9st XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+}
+
+std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return *this / name;
+}
+
+std::vector<std::string> ScratchFolder::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    EXPECT_TRUE(file) << path;
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string precomputed(const ScratchFolder& folder, const std::string& scene,
+                        const std::string& error) {
+    const std::string file = folder / "scene.gto";
+    const ProgramRun run = lightwell({"precompute", scene, "-o", file, "--error", error, "-q"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return file;
+}
+
+Table table_from(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string line, cell;
+    std::vector<std::string> names;
+    std::getline(lines, line);
+    for (std::istringstream cells(line); std::getline(cells, cell, ',');)
+        names.push_back(cell);
+    Table table;
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        auto& row = table.emplace_back();
+        for (const std::string& name : names) {
+            EXPECT_TRUE(std::getline(cells, cell, ',')) << line;
+            row[name] = std::stod(cell);
+        }
+    }
+    return table;
+}
+
+}  // namespace lightwell

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lightwell {
+
+/// What a run of the lightwell program left.
+struct ProgramRun {
+    int status = -1;  ///< exit status; 128 + n if signal n ended it
+    std::string out;  ///< standard output
+    std::string err;  ///< standard error
+};
+
+/// How to run it.
+struct ProgramSetting {
+    int signal = 0;             ///< to send after `signal_after`, 0: none
+    double signal_after = 0;    ///< [s]
+    bool on_terminal = false;   ///< standard error is a terminal
+    std::string out_file = "";  ///< where standard output goes instead
+};
+
+/// Runs the program and waits for its end.
+ProgramRun lightwell(const std::vector<std::string>& arguments, const ProgramSetting& setting = {});
+
+/// A scene of the project by its folder's name.
+std::string sample_scene(const std::string& name);
+
+/// A new folder that is removed with its owner.
+class ScratchFolder {
+  public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    /// Path of a file in it, whether it exists or not.
+    std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path() const { return folder_.string(); }
+    /// Writes a file. @return its path.
+    std::string write(const std::string& name, const std::string& text) const;
+    /// Names of all that lies in it, sorted.
+    std::vector<std::string> names() const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+std::string contents(const std::string& path);
+
+/// Precomputes a scene and expects it to go well. @return the path of the operator, in `folder`.
+std::string precomputed(const ScratchFolder& folder, const std::string& scene,
+                        const std::string& error = "0.3");
+
+/// Rows of numbers under a CSV header, by the column's name.
+using Table = std::vector<std::map<std::string, double>>;
+Table table_from(const std::string& csv);
+
+}  // namespace lightwell

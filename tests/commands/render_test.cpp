@@ -1,0 +1,142 @@
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/commands/program.h"
+#include "viewer/images/image_file.h"
+
+namespace lightwell {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class RenderedCornellBox : public ::testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        folder_ = new ScratchFolder;
+        file_ = precomputed(*folder_, sample_scene("cornell-box"), "0.2");
+    }
+    static void TearDownTestSuite() { delete folder_; }
+
+    /// The picture in linear light.
+    static ExrPicture rendered(const Words& more, const std::string& size = "64x48") {
+        const std::string output = *folder_ / "p.exr";
+        Words words = {"render", file_, "-o", output, "--size", size};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramRun run = lightwell(words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(run.out + run.err, "");
+        return read_exr(output);
+    }
+
+    static ScratchFolder* folder_;
+    static std::string file_;
+};
+ScratchFolder* RenderedCornellBox::folder_ = nullptr;
+std::string RenderedCornellBox::file_;
+
+TEST_F(RenderedCornellBox, HasTheSizeAskedForAndTheUnitOfItsView) {
+    for (const char* view : {"total", "direct", "indirect", "lux", "level"}) {
+        const ExrPicture picture = rendered({"--view", view}, "40x30");
+        EXPECT_EQ(picture.image.width(), 40);
+        EXPECT_EQ(picture.image.height(), 30);
+        const std::string unit = picture.unit;
+        EXPECT_EQ(unit, std::string(view) == "lux"     ? "lx"
+                        : std::string(view) == "level" ? "display"
+                                                       : "cd/m2");
+        const ProgramRun png =
+            lightwell({"render", file_, "-o", *folder_ / (view + std::string(".png")), "--size",
+                       "40x30", "--view", view});
+        EXPECT_EQ(png.status, 0) << png.err;
+        EXPECT_EQ(contents(*folder_ / (view + std::string(".png"))).substr(1, 3), "PNG");
+    }
+}
+
+TEST_F(RenderedCornellBox, TotalIsDirectAndIndirect) {
+    const Image total = rendered({}).image, direct = rendered({"--view", "direct"}).image,
+                indirect = rendered({"--view", "indirect"}).image;
+    double brightest = 0;
+    for (int y = 0; y < total.height(); ++y)
+        for (int x = 0; x < total.width(); ++x) {
+            const Image::Pixel sum = direct.at(x, y) + indirect.at(x, y);
+            EXPECT_TRUE((total.at(x, y) - sum).abs().maxCoeff() <= 1e-5f * (1 + sum.maxCoeff()));
+            brightest = std::max(brightest, static_cast<double>(total.at(x, y)[0]));
+        }
+    // The luminaire is seen: 1,400 cd/m2 of its own, and a little that it reflects.
+    EXPECT_GT(brightest, 1400);
+    EXPECT_LT(brightest, 1500);
+}
+
+TEST_F(RenderedCornellBox, LuxIsWhatIsMeasuredThere) {
+    // A camera that looks straight down on one point of the floor through a narrow angle.
+    const std::string camera = folder_->write("down.toml",
+                                              "[camera]\nposition = [1, 1.5, 2]\ntarget = [1, 1.5, "
+                                              "0]\nup = [0, 1, 0]\nvertical_angle = 0.1\n");
+    const ExrPicture picture = rendered({"--view", "lux", "--camera", camera}, "1x1");
+    const ProgramRun run = lightwell(
+        {"measure", file_, "--no-gather", "--sensors", folder_->write("s.csv", "1,1.5,0,0,0,1\n")});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto row = table_from(run.out).at(0);
+    const char channels[] = {'r', 'g', 'b'};
+    for (int c = 0; c < 3; ++c) {
+        const double lux = row.at(fmt::format("direct_{}", channels[c])) +
+                           row.at(fmt::format("indirect_{}", channels[c]));
+        EXPECT_NEAR(picture.image.at(0, 0)[c], lux, 1e-3 * lux);
+    }
+}
+
+TEST_F(RenderedCornellBox, ExposureActsOnThePngAlone) {
+    const Words words = {"render",           file_,       "--size", "32x24", "-o",
+                         *folder_ / "e.png", "--exposure"};
+    Words darker = words, brighter = words;
+    darker.push_back("-2");
+    brighter.push_back("+1.5");
+    ASSERT_EQ(lightwell(darker).status, 0);
+    const std::string dark = contents(*folder_ / "e.png");
+    ASSERT_EQ(lightwell(brighter).status, 0);
+    EXPECT_NE(dark, contents(*folder_ / "e.png"));
+    EXPECT_TRUE(
+        (rendered({"--exposure", "3"}).image.at(32, 40) == rendered({}).image.at(32, 40)).all());
+}
+
+TEST_F(RenderedCornellBox, IsTheSameForAnyNumberOfThreads) {
+    rendered({"--threads", "1"});
+    const std::string one = contents(*folder_ / "p.exr");
+    rendered({"--threads", "3"});
+    EXPECT_EQ(one, contents(*folder_ / "p.exr"));
+}
+
+TEST_F(RenderedCornellBox, RefusesWhatItCannotWriteOrRead) {
+    EXPECT_EQ(lightwell({"render", file_, "-o", *folder_ / "p.jpg"}).status, 1);
+    EXPECT_EQ(lightwell({"render", file_, "-o", *folder_ / "no/p.png"}).status, 1);
+    EXPECT_EQ(lightwell({"render", *folder_ / "none.gto", "-o", *folder_ / "n.png"}).status, 1);
+    const std::string camera = folder_->write("camera.toml", "[camera]\nposition = [1, 2]\n");
+    const ProgramRun run =
+        lightwell({"render", file_, "-o", *folder_ / "n.png", "--camera", camera});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.err.rfind("lightwell: " + camera + ":2:", 0), 0u) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(*folder_ / "n.png"));
+}
+
+TEST(Render, ASceneWithoutACameraIsSeenFromInside) {
+    const ScratchFolder folder;
+    // The furnace's geometry alone: a closed room, 0.5 grey.
+    const std::string obj =
+        contents(std::filesystem::path(sample_scene("furnace")).parent_path() / "furnace.obj");
+    const std::string file = precomputed(folder, folder.write("bare.obj", obj));
+    const std::string lamp =
+        folder.write("lamp.toml",
+                     "[[light]]\nname = \"lamp\"\ntype = \"point\"\nposition = "
+                     "[3, 1.2, 2.2]\nintensity = 100\n");
+    const std::string output = folder / "p.exr";
+    const ProgramRun run = lightwell(
+        {"render", file, "--lights", lamp, "--view", "indirect", "-o", output, "--size", "32x24"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Image image = read_exr(output).image;
+    for (const Image::Pixel& pixel : image.pixels())
+        EXPECT_GT(pixel.minCoeff(), 0);
+}
+
+}  // namespace
+}  // namespace lightwell

@@ -1,0 +1,252 @@
+#include "viewer/commands/command_line.h"
+
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "radiance4d/failure.h"
+#include "solver/reading/input_file.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/info_command.h"
+#include "viewer/commands/measure_command.h"
+#include "viewer/commands/output.h"
+#include "viewer/commands/precompute_command.h"
+#include "viewer/commands/render_command.h"
+#include "viewer/commands/stop_signal.h"
+
+namespace lightwell {
+
+namespace {
+
+constexpr int most_threads = 1024;
+
+/// Everything that can be asked for. Options are taken as text and read by functions of ours:
+/// CLI11's own conversion depends on the locale, reads 010 as eight and accepts nan.
+struct Requests {
+    PrecomputeRequest precompute;
+    InfoRequest info;
+    MeasureRequest measure;
+    RenderRequest render;
+    std::optional<int> threads;
+};
+
+/// An option with one value, told to `take`.
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& value_name,
+                       const std::string& meaning, std::function<void(const std::string&)> take) {
+    return app.add_option_function<std::string>(name, std::move(take), meaning)
+        ->type_name(value_name);
+}
+
+void add_threads(CLI::App& app, Requests& requests) {
+    add_value(app, "--threads", "N", "threads to use; as many as the machine has by default",
+              [&requests](const std::string& text) {
+                  requests.threads = whole_argument("--threads", text, 1, most_threads);
+              });
+}
+
+void add_lights(CLI::App& app, std::optional<std::string>& lights) {
+    add_value(app, "--lights", "L.toml", "file with [[light]] tables; the scene's own by default",
+              [&lights](const std::string& text) { lights = text; });
+}
+
+CLI::App* add_precompute(CLI::App& app, Requests& requests) {
+    PrecomputeRequest& request = requests.precompute;
+    CLI::App* command =
+        app.add_subcommand("precompute", "compute once how light travels in a scene");
+    command
+        ->add_option("SCENE", request.scene,
+                     "scene.toml, .obj, .ply, or a folder with a scene.toml")
+        ->type_name("")
+        ->required();
+    command->add_option("-o,--output", request.output, "the file to write")
+        ->type_name("FILE.gto")
+        ->required();
+    PrecomputeOptions& options = request.options;
+    add_value(
+        *command, "--error", "E",
+        "relative error of the indirect light, over lamps anywhere; 0.05 by default",
+        [&options](const std::string& text) { options.error = error_argument("--error", text); });
+    add_value(*command, "--oracle", "NAME",
+              "how links are refined: geometric (default), or variation, the baseline of the paper",
+              [&options](const std::string& text) {
+                  options.oracle = oracle_argument("--oracle", text);
+              });
+    add_threads(*command, requests);
+    add_value(*command, "--max-memory", "SIZE", "memory that may be taken; 8G by default",
+              [&options](const std::string& text) {
+                  options.max_memory = memory_argument("--max-memory", text);
+              });
+    command->add_flag("--json", request.json, "print the report as one JSON object");
+    command->add_flag("-q,--quiet", request.quiet, "print nothing but errors, and --json");
+    command->add_flag_callback(
+        "--no-progress", [&request] { request.progress = false; }, "show no progress");
+    const std::string by_hand = "Set by hand (they follow from --error otherwise)";
+    add_value(*command, "--cell-size", "METRES", "largest side of a finest cell",
+              [&options](const std::string& text) {
+                  options.cell_size = positive_argument("--cell-size", text);
+              })
+        ->group(by_hand);
+    add_value(*command, "--oracle-tolerance", "T", "tolerance of the oracle",
+              [&options](const std::string& text) {
+                  options.oracle_tolerance = non_negative_argument("--oracle-tolerance", text);
+              })
+        ->group(by_hand);
+    add_value(*command, "--truncation", "E",
+              "relative error from coefficients left out; 0 keeps all",
+              [&options](const std::string& text) {
+                  options.truncation = non_negative_argument("--truncation", text);
+              })
+        ->group(by_hand);
+    return command;
+}
+
+CLI::App* add_info(CLI::App& app, Requests& requests) {
+    CLI::App* command = app.add_subcommand(
+        "info", "say what a .gto file or a scene holds, and what is wrong with it");
+    command->add_option("FILE", requests.info.subject, "a .gto file, or a scene as for precompute")
+        ->type_name("")
+        ->required();
+    command->add_flag("--json", requests.info.json, "print one JSON object");
+    return command;
+}
+
+CLI::App* add_measure(CLI::App& app, Requests& requests) {
+    MeasureRequest& request = requests.measure;
+    CLI::App* command = app.add_subcommand("measure", "print lux at sensors, as CSV");
+    command->add_option("FILE", request.operator_file, "the .gto file")->type_name("")->required();
+    CLI::Option* sensors =
+        add_value(*command, "--sensors", "S.csv", "rows of x,y,z,nx,ny,nz in metres",
+                  [&request](const std::string& text) { request.sensors = text; });
+    add_value(*command, "--grid", "NAME", "a sensor grid of the scene, instead of a file",
+              [&request](const std::string& text) { request.grid = text; })
+        ->excludes(sensors);
+    add_lights(*command, request.lights);
+    command
+        ->add_option("-o,--output", request.output, "CSV file to write; standard output by default")
+        ->type_name("OUT.csv");
+    command->add_flag_callback(
+        "--no-gather", [&request] { request.gather = false; },
+        "read indirect light from the basis, without the final gather at each sensor");
+    add_threads(*command, requests);
+    return command;
+}
+
+CLI::App* add_render(CLI::App& app, Requests& requests) {
+    RenderRequest& request = requests.render;
+    CLI::App* command = app.add_subcommand("render", "draw a picture, without a display");
+    command->add_option("FILE", request.operator_file, "the .gto file")->type_name("")->required();
+    command->add_option("-o,--output", request.output, "picture to write")
+        ->type_name("P.png|P.exr")
+        ->required();
+    add_lights(*command, request.lights);
+    add_value(*command, "--camera", "C.toml", "file with a [camera]; the scene's own by default",
+              [&request](const std::string& text) { request.camera = text; });
+    add_value(
+        *command, "--size", "WxH", "pixels; 960x720 by default",
+        [&request](const std::string& text) { request.size = size_argument("--size", text); });
+    add_value(*command, "--exposure", "EV",
+              "stops brighter (or darker, if negative) than the automatic exposure of a PNG",
+              [&request](const std::string& text) {
+                  request.exposure = number_argument("--exposure", text);
+              });
+    add_value(
+        *command, "--view", "VIEW",
+        "total (default), direct, indirect, lux (false colour), level (the wavelet mesh)",
+        [&request](const std::string& text) { request.view = view_argument("--view", text); });
+    add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
+              [&request](const std::string& text) {
+                  request.samples = whole_argument("--samples", text, 1, 16);
+              });
+    add_threads(*command, requests);
+    return command;
+}
+
+/// Refuses a first word that is no command, with a better message than CLI11 has.
+void require_known_command(int argc, const char* const* argv, const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    const std::string known = fmt::format("the commands are {}", fmt::join(names, ", "));
+    if (argc < 2) throw InputError("no command given; " + known + "; see lightwell --help");
+    const std::string word = argv[1];
+    if (word.rfind('-', 0) == 0 || std::find(names.begin(), names.end(), word) != names.end())
+        return;
+    const std::string nearest = nearest_word(word, names);
+    throw InputError(fmt::format(
+        "no command {}{}; {}", in_quotes(word),
+        nearest.empty() ? "" : fmt::format(" (did you mean {}?)", in_quotes(nearest)), known));
+}
+
+void run(int argc, const char* const* argv) {
+    CLI::App app{"Global illumination for lamps that move: computed once, asked at once.",
+                 "lightwell"};
+    app.set_version_flag("--version", "lightwell " LIGHTWELL_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "Exit status: 0 success, 1 a mistake in a file or an argument, 2 a failure of the system, "
+        "3 "
+        "interrupted.\n"
+        "lightwell COMMAND --help says more about each.");
+    Requests requests;
+    const std::pair<CLI::App*, std::function<void()>> commands[] = {
+        {add_precompute(app, requests), [&requests] { run_precompute(requests.precompute); }},
+        {add_info(app, requests), [&requests] { run_info(requests.info); }},
+        {add_measure(app, requests), [&requests] { run_measure(requests.measure); }},
+        {add_render(app, requests), [&requests] { run_render(requests.render); }}};
+    require_known_command(argc, argv, app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        print_result(app.help());
+        return;
+    } catch (const CLI::CallForVersion& version) {
+        print_result(std::string(version.what()) + "\n");
+        return;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(
+            fmt::format("{}; see lightwell {} --help", error.what(), std::string(argv[1])));
+    }
+
+    std::optional<tbb::global_control> limit;
+    if (requests.threads)
+        limit.emplace(tbb::global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(*requests.threads));
+    for (const auto& [command, work] : commands)
+        if (command->parsed()) work();
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    constexpr int success = 0, input_error = 1, system_error = 2, interrupted = 3;
+    heed_stop_signals();
+    try {
+        run(argc, argv);
+        return success;
+    } catch (const InputError& error) {
+        print_message(error.what());
+        return input_error;
+    } catch (const Interrupted& error) {
+        print_message(error.what());
+        return interrupted;
+    } catch (const SystemError& error) {
+        print_message(error.what());
+    } catch (const std::system_error& error) {
+        print_message(error.what());
+    } catch (const std::bad_alloc&) {
+        print_message("the memory of this machine does not suffice");
+    } catch (const std::exception& error) {
+        print_message(std::string("this is a mistake of the program itself: ") + error.what());
+    }
+    return system_error;
+}
+
+}  // namespace lightwell

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace lightwell {
+
+/// What `lightwell measure` was asked for.
+struct MeasureRequest {
+    std::string operator_file;           ///< .gto
+    std::optional<std::string> sensors;  ///< a file of sensors ...
+    std::optional<std::string> grid;     ///< ... or the name of a sensor grid of the scene
+    std::optional<std::string> lights;   ///< a file of lights; the scene's own if not given
+    std::string output;                  ///< a CSV file; standard output if empty
+    bool gather = true;  ///< a final gather at each sensor, or the smoothed basis as it is
+};
+
+/// Prints the illuminance at each sensor as CSV with the header
+///     x,y,z,nx,ny,nz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,lux
+/// in the order of the sensors; normals are of unit length, light in lx.
+/// @throws InputError for files and names that cannot be used, and, without the gather, for a
+/// sensor that lies on no surface
+void run_measure(const MeasureRequest& request);
+
+}  // namespace lightwell

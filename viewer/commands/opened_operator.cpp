@@ -1,0 +1,25 @@
+#include "viewer/commands/opened_operator.h"
+
+#include <utility>
+
+#include "radiance4d/operator/operator_file.h"
+#include "solver/reading/scene_reader.h"
+
+namespace lightwell {
+
+OpenedOperator open_operator(const std::string& path) {
+    GlobalTransport transport = read_operator_file(path);
+    std::vector<Quad> quads;
+    quads.reserve(transport.scene.quads.size());
+    for (const SceneQuad& quad : transport.scene.quads)
+        quads.push_back(quad.quad);
+    Visibility visibility(quads);
+    OccluderTree occluders(quads);
+    return {std::move(transport), std::move(quads), std::move(visibility), std::move(occluders)};
+}
+
+std::vector<Light> chosen_lights(const std::optional<std::string>& path, const Scene& scene) {
+    return path ? read_lights(*path) : scene.lights;
+}
+
+}  // namespace lightwell

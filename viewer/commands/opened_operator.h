@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiance4d/operator/global_transport.h"
+#include "radiance4d/scene/occluder_tree.h"
+#include "radiance4d/scene/visibility.h"
+
+namespace lightwell {
+
+/// What a .gto file holds, and the search structures over its quads.
+struct OpenedOperator {
+    GlobalTransport transport;
+    std::vector<Quad> quads;
+    Visibility visibility;
+    OccluderTree occluders;
+};
+
+/// @throws as read_operator_file
+OpenedOperator open_operator(const std::string& path);
+
+/// The lights of a lights file, or the scene's own where no file is given.
+/// @throws as read_lights
+std::vector<Light> chosen_lights(const std::optional<std::string>& path, const Scene& scene);
+
+}  // namespace lightwell

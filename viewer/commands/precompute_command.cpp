@@ -1,0 +1,89 @@
+#include "viewer/commands/precompute_command.h"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "radiance4d/atomic_file.h"
+#include "radiance4d/operator/operator_file.h"
+#include "viewer/commands/output.h"
+#include "viewer/commands/precompute_report.h"
+#include "viewer/commands/progress_line.h"
+#include "viewer/commands/scene_argument.h"
+#include "viewer/commands/stop_signal.h"
+
+namespace lightwell {
+
+namespace {
+
+/// Runs some work and adds its time to a stage and to the total.
+template <typename Work>
+auto timed(std::map<std::string, double>& seconds, const std::string& stage, const Work& work) {
+    struct Lap {
+        std::map<std::string, double>& seconds;
+        const std::string& stage;
+        std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+        ~Lap() {
+            const double passed =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            seconds[stage] += passed;
+            seconds["total"] += passed;
+        }
+    };
+    const Lap lap{seconds, stage};
+    return work();
+}
+
+std::string options_json(const PrecomputeOptions& options) {
+    nlohmann::ordered_json json;
+    json["error"] = options.error;
+    json["oracle"] = options.oracle == OracleKind::geometric ? "geometric" : "variation";
+    if (options.cell_size) json["cell_size"] = *options.cell_size;
+    if (options.oracle_tolerance) json["oracle_tolerance"] = *options.oracle_tolerance;
+    if (options.truncation) json["truncation"] = *options.truncation;
+    return json.dump();
+}
+
+GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
+                        PrecomputeReport& report) {
+    std::optional<ProgressLine> line;
+    Progress progress;
+    progress.stop_requested = stop_requested;
+    if (request.progress && !request.quiet && ProgressLine::fits_standard_error()) {
+        line.emplace();
+        progress.report = [&line](const std::string& stage, double share) {
+            line->show(stage, share);
+        };
+    }
+    GlobalTransport transport = precompute(scene, request.options, progress, report);
+    progress.check();
+    return transport;
+}
+
+}  // namespace
+
+void run_precompute(const PrecomputeRequest& request) {
+    require_writable(request.output);
+    PrecomputeReport report;
+    const ReadScene read =
+        timed(report.seconds, "reading", [&] { return read_scene_argument(request.scene); });
+    if (!request.quiet)
+        for (const Warning& warning : read.report.warnings)
+            print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
+
+    GlobalTransport transport = compute(read.scene, request, report);
+    transport.provenance.program = "lightwell " LIGHTWELL_VERSION;
+    timed(report.seconds, "writing",
+          [&] { write_operator_file(request.output, transport, options_json(request.options)); });
+
+    const PrecomputeOutcome outcome{transport, report, request.output,
+                                    std::filesystem::file_size(request.output)};
+    if (request.json)
+        print_result(json_report(outcome));
+    else if (!request.quiet)
+        print_result(readable_report(outcome));
+}
+
+}  // namespace lightwell

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "viewer/commands/arguments.h"
+
+namespace lightwell {
+
+/// What a picture shows.
+enum class View {
+    total,     ///< luminance with all light [cd/m2]
+    direct,    ///< luminance with direct light alone [cd/m2]
+    indirect,  ///< luminance with indirect light alone, lamps dark [cd/m2]
+    lux,       ///< illuminance [lx], as a false-colour picture
+    level      ///< the wavelet mesh: the finest cells, coloured by their level
+};
+
+/// "total", "direct", "indirect", "lux" or "level".
+/// @throws InputError for any other word
+View view_argument(const std::string& option, const std::string& text);
+
+/// What `lightwell render` was asked for.
+struct RenderRequest {
+    std::string operator_file;          ///< .gto
+    std::optional<std::string> lights;  ///< a file of lights; the scene's own if not given
+    std::optional<std::string> camera;  ///< a file with a camera; the scene's own if not given
+    std::string output;                 ///< .png or .exr
+    PixelSize size;
+    double exposure = 0;  ///< of a PNG [EV], beside the automatic one
+    int samples = 2;      ///< a side in every pixel
+    View view = View::total;
+};
+
+/// Renders a picture into a file, without a display. A PNG is exposed and toned for a screen; an
+/// EXR holds the light itself (cd/m2; lx for View::lux).
+/// @throws InputError for files that cannot be used, SystemError if OpenGL or the disk fails
+void run_render(const RenderRequest& request);
+
+}  // namespace lightwell
