@@ -57,7 +57,7 @@ Settings settings_for(const PrecomputeOptions& options, double distance) {
     Settings settings{};
     settings.cell_size = options.cell_size.value_or(0.7 * std::sqrt(options.error) * distance);
     const double tolerance = options.oracle == OracleKind::geometric
-                                 ? 0.2 * options.error * options.error
+                                 ? 0.1 * options.error * options.error
                                  : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
     settings.truncation = options.truncation.value_or(0.3 * options.error);
@@ -79,17 +79,22 @@ std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Sett
     return std::make_unique<GeometricOracle>(geometric, quads, visibility, area);
 }
 
-/// Where lights are expected: anywhere that there is room. A scene without such a place, a single
-/// quad for example, has none; then nothing is weighed.
+/// Where lights are expected: anywhere that there is room, in rooms rather than in the open. A
+/// scene without such a place, a single quad for example, has none; then nothing is weighed.
 std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibility) {
     constexpr int count = 48;
     constexpr std::uint64_t seed = 20060626;
+    LightPlacement indoors;
+    indoors.surrounded = 0.6;
     std::vector<Vec3> positions;
-    try {
-        for (const PointLight& light : random_lights(scene, visibility, count, seed))
-            positions.push_back(light.position);
-    } catch (const InputError&) {
-        positions.clear();
+    for (const LightPlacement& placement : {indoors, LightPlacement{}}) {
+        try {
+            for (const PointLight& light : random_lights(scene, visibility, count, seed, placement))
+                positions.push_back(light.position);
+            break;
+        } catch (const InputError&) {
+            positions.clear();
+        }
     }
     return positions;
 }
@@ -205,7 +210,7 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     const Settings settings = settings_for(options, typical_distance(elements, survey));
     constexpr int most_levels = 6;
     set_cells(elements, settings.cell_size, most_levels);
-    set_open_masks(visibility, elements, cost);
+    set_open_masks(quads, occluders, visibility, elements, cost);
     clock.lap("elements");
 
     // 2. Links, as far as the oracle refines them.

@@ -1,5 +1,6 @@
 #include "solver/series/light_ensemble.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "radiance4d/operator/light_projection.h"
@@ -29,24 +30,31 @@ LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>
                              const Eigen::ArrayXd& reflectance) {
     const auto n = static_cast<Eigen::Index>(space.functions());
     LightEnsemble ensemble{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
-    int counted = 0;
+    std::vector<Eigen::ArrayXd> direct, total;
+    std::vector<double> norm;
+    double squares = 0;
     for (const Vec3& position : positions) {
         PointLight light;
         light.position = position;
         light.intensity = Rgb::Ones();
-        const Eigen::ArrayXd direct = projected_lights(space, {light}, quads, occluders).col(0);
+        direct.push_back(projected_lights(space, {light}, quads, occluders).col(0));
         Eigen::ArrayXd means(static_cast<Eigen::Index>(space.elements().size()));
         for (std::size_t e = 0; e < space.elements().size(); ++e)
-            means[static_cast<Eigen::Index>(e)] = direct[space.element(e).first];
+            means[static_cast<Eigen::Index>(e)] = direct.back()[space.element(e).first];
         const Eigen::ArrayXd indirect = mean_indirect(mean_bounce, reflectance, means);
-        const double norm = indirect.matrix().norm();
-        if (!(norm > 0)) continue;
-        Eigen::ArrayXd total = direct;
+        total.push_back(direct.back());
         for (std::size_t e = 0; e < space.elements().size(); ++e)
-            total[space.element(e).first] += indirect[static_cast<Eigen::Index>(e)];
-        ensemble.direct += (direct / norm).square();
-        ensemble.total += (total / norm).square();
-        ++counted;
+            total.back()[space.element(e).first] += indirect[static_cast<Eigen::Index>(e)];
+        norm.push_back(indirect.matrix().norm());
+        squares += norm.back() * norm.back();
+    }
+    // A light that almost nothing reflects must not count for more than the others.
+    const double least =
+        0.5 * std::sqrt(squares / static_cast<double>(std::max<std::size_t>(norm.size(), 1)));
+    const auto counted = static_cast<double>(squares > 0 ? norm.size() : 0);
+    for (std::size_t k = 0; k < norm.size() && squares > 0; ++k) {
+        ensemble.direct += (direct[k] / std::max(norm[k], least)).square();
+        ensemble.total += (total[k] / std::max(norm[k], least)).square();
     }
     if (counted == 0) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
     ensemble.direct = (ensemble.direct / counted).sqrt();

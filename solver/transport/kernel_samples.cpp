@@ -29,14 +29,14 @@ class Sequence4 {
             start = static_cast<double>(seed >> 11) * 0x1p-53;
         }
     }
-    const std::array<double, 4>& next() {
+    double at(std::size_t k) const { return at_[k]; }
+    void next() {
         constexpr std::array<double, 4> step = {0.85667488385450287, 0.73389185662718776,
                                                 0.62870672083239870, 0.53859725722360993};
         for (std::size_t k = 0; k < 4; ++k) {
             at_[k] += step[k];
             at_[k] -= std::floor(at_[k]);
         }
-        return at_;
     }
 
   private:
@@ -54,9 +54,23 @@ Vec3 point_in(const Element& element, const ParameterRect& r, double u, double v
     return element.geometry.point(r.u0 + u * (r.u1 - r.u0), r.v0 + v * (r.v1 - r.v0));
 }
 
-/// Draws until one falls on an open part; a stratum that is all but buried is given up after so
-/// many.
-constexpr int most_attempts = 8;
+Vec2 in_rect(const ParameterRect& r, double a, double b) {
+    return {r.u0 + a * (r.u1 - r.u0), r.v0 + b * (r.v1 - r.v0)};
+}
+
+/// Draws another point of the rectangle if this one is buried, until one is open; a rectangle that
+/// is all but buried is given up after a while. Whether the point moved.
+bool move_to_open(const Element& element, const ParameterRect& rect, Sequence4& sequence,
+                  Vec2& point) {
+    constexpr int most_attempts = 64;
+    if (element.is_sample_open(point[0], point[1])) return false;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+        sequence.next();
+        point = in_rect(rect, sequence.at(0), sequence.at(1));
+        if (element.is_sample_open(point[0], point[1])) break;
+    }
+    return true;
+}
 
 }  // namespace
 
@@ -117,41 +131,38 @@ StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& ch
     StratifiedSamples result;
     result.lowest = std::numeric_limits<double>::infinity();
     result.highest = 0;
+    const Vec3& normal_x = link.receiver_facet.normal;
+    const Vec3& normal_y = link.sender_facet.normal;
     Sequence4 sequence(seed_of(link.link, *link.receiver, *link.sender));
     for (int i = 0; i < children.receivers; ++i) {
         const ParameterRect at_x = link.receiver->space.tree().rect(children.receiver[i]);
         for (int j = 0; j < children.senders; ++j) {
             const ParameterRect at_y = link.sender->space.tree().rect(children.sender[j]);
-            int drawn = 0;
             for (int k = 0; k < per_stratum; ++k) {
+                sequence.next();
+                Vec2 r = in_rect(at_x, sequence.at(0), sequence.at(1));
+                Vec2 s = in_rect(at_y, sequence.at(2), sequence.at(3));
+                Vec3 x = link.receiver->geometry.point(r[0], r[1]);
+                Vec3 y = link.sender->geometry.point(s[0], s[1]);
+                double f = kernel(x, normal_x, y, normal_y);
+                result.kernel[i][j] += f / per_stratum;
+                const bool receiver_moved = move_to_open(*link.receiver, at_x, sequence, r);
+                const bool sender_moved = move_to_open(*link.sender, at_y, sequence, s);
+                if (receiver_moved || sender_moved) {
+                    x = link.receiver->geometry.point(r[0], r[1]);
+                    y = link.sender->geometry.point(s[0], s[1]);
+                    f = kernel(x, normal_x, y, normal_y);
+                }
                 double seen = 0;
-                for (int attempt = 0; attempt < most_attempts; ++attempt) {
-                    const std::array<double, 4>& w = sequence.next();
-                    const Vec2 at_r(at_x.u0 + w[0] * (at_x.u1 - at_x.u0),
-                                    at_x.v0 + w[1] * (at_x.v1 - at_x.v0));
-                    const Vec2 at_s(at_y.u0 + w[2] * (at_y.u1 - at_y.u0),
-                                    at_y.v0 + w[3] * (at_y.v1 - at_y.v0));
-                    const Vec3 x = link.receiver->geometry.point(at_r[0], at_r[1]);
-                    const Vec3 y = link.sender->geometry.point(at_s[0], at_s[1]);
-                    const double f =
-                        kernel(x, link.receiver_facet.normal, y, link.sender_facet.normal);
-                    ++drawn;
-                    result.kernel[i][j] += f;
-                    if (!link.receiver->is_sample_open(at_r[0], at_r[1]) ||
-                        !link.sender->is_sample_open(at_s[0], at_s[1]))
-                        continue;
-                    if (f > 0) {
-                        ++cost.rays;
-                        if (!visibility.occluded(x, link.receiver->quad, y, link.sender->quad))
-                            seen = f;
-                    }
-                    break;
+                if (f > 0) {
+                    ++cost.rays;
+                    if (!visibility.occluded(x, link.receiver->quad, y, link.sender->quad))
+                        seen = f;
                 }
                 result.visible[i][j] += seen / per_stratum;
                 result.lowest = std::min(result.lowest, seen);
                 result.highest = std::max(result.highest, seen);
             }
-            result.kernel[i][j] /= drawn;
         }
     }
     return result;

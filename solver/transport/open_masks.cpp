@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/basis/direction_map.h"
@@ -16,6 +18,19 @@ namespace {
 constexpr int looks_along = 3;
 /// A neighbour nearer than this share of the cell's size covers a sample rather than lights it.
 constexpr double cover_share = 0.25;
+
+/// Heights below this share of a quad's size are in its plane.
+constexpr double coplanar_share = 1e-6;
+
+/// Whether a point of the quad's plane lies inside its outline.
+bool holds(const Quad& quad, const Vec3& point) {
+    const Vec3 n = quad.normal();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec3 edge = quad.vertex[(k + 1) % 4] - quad.vertex[k];
+        if (n.cross(edge).dot(point - quad.vertex[k]) < 0) return false;
+    }
+    return true;
+}
 
 /// Tells open samples of one element from buried ones.
 class SampleTest {
@@ -35,8 +50,14 @@ class SampleTest {
                                               {(i + 0.5) / looks_along, (j + 0.5) / looks_along}));
     }
 
+    /// @param covers  earlier quads of the same plane that overlap the element
+    void set_covers(std::vector<Quad> covers) { covers_ = std::move(covers); }
+    bool is_covered_in_part() const { return !covers_.empty(); }
+
     bool is_open(double u, double v) {
         const Vec3 point = element_.geometry.point(u, v);
+        for (const Quad& cover : covers_)
+            if (holds(cover, point)) return false;
         for (const Vec3& direction : looks_) {
             ++rays;
             const Hit hit = visibility_.nearest(point, element_.quad, direction);
@@ -55,8 +76,35 @@ class SampleTest {
     const Visibility& visibility_;
     Eigen::Matrix3d frame_;
     std::vector<Vec3> looks_;
+    std::vector<Quad> covers_;
     double cover_ = 0;
 };
+
+/// Quads before the element's own, by number, that lie in its plane and overlap it.
+std::vector<Quad> covers_of(const Element& element, const std::vector<Quad>& quads,
+                            const OccluderTree& tree) {
+    const Vec3 n = element.geometry.normal();
+    const double size = (element.geometry.vertex[2] - element.geometry.vertex[0]).norm();
+    const double tolerance = coplanar_share * size;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& corner : element.geometry.vertex)
+        box.extend(corner);
+    box.min().array() -= tolerance;
+    box.max().array() += tolerance;
+    std::vector<int> near;
+    tree.collect(ConvexRegion(box), near);
+    std::vector<Quad> covers;
+    for (const int q : near) {
+        if (q >= element.quad) break;
+        const Quad& other = quads[static_cast<std::size_t>(q)];
+        const bool coplanar =
+            std::all_of(other.vertex.begin(), other.vertex.end(), [&](const Vec3& corner) {
+                return std::abs(n.dot(corner - element.geometry.vertex[0])) <= tolerance;
+            });
+        if (coplanar) covers.push_back(other);
+    }
+    return covers;
+}
 
 /// The corners of the finest cells, inset by a little so that they do not fall into the edge of a
 /// wall; and the centres.
@@ -99,7 +147,8 @@ std::vector<OpenMask> masks_of(const Element& element, SampleTest& test) {
 
 }  // namespace
 
-void set_open_masks(const Visibility& visibility, std::vector<Element>& elements,
+void set_open_masks(const std::vector<Quad>& quads, const OccluderTree& tree,
+                    const Visibility& visibility, std::vector<Element>& elements,
                     OracleCost& cost) {
     std::vector<char> takes_part(2 * static_cast<std::size_t>(visibility.quad_count()), 0);
     for (const Element& element : elements)
@@ -107,8 +156,10 @@ void set_open_masks(const Visibility& visibility, std::vector<Element>& elements
     std::atomic<std::uint64_t> rays{0};
     tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
         Element& element = elements[e];
-        if (element.space.tree().levels() == 0) return;
         SampleTest test(element, takes_part, visibility);
+        test.set_covers(covers_of(element, quads, tree));
+        // A quad that is one cell is too small to matter, unless something lies on it.
+        if (element.space.tree().levels() == 0 && !test.is_covered_in_part()) return;
         std::vector<OpenMask> masks = masks_of(element, test);
         rays += test.rays;
         if (!masks.empty()) element.set_space(CellTree(element.space.tree()), std::move(masks));

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "radiance4d/basis/radiance_space.h"
+#include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
 #include "solver/transport/oracle.h"
 
@@ -13,6 +14,11 @@ namespace lightwell {
 /// one of a few rays over its hemisphere escapes, or meets another element farther off than a
 /// fraction of the cell. Cells are first looked at in their corners and centre; only those that
 /// disagree are sampled in full.
-void set_open_masks(const Visibility& visibility, std::vector<Element>& elements, OracleCost& cost);
+///
+/// Of quads that lie in one plane and overlap, the first in the scene is the one that light meets,
+/// as it would be with a ray; the others are buried under it. Otherwise the light on the overlap
+/// would count twice.
+void set_open_masks(const std::vector<Quad>& quads, const OccluderTree& tree,
+                    const Visibility& visibility, std::vector<Element>& elements, OracleCost& cost);
 
 }  // namespace lightwell

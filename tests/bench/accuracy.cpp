@@ -105,7 +105,10 @@ int run(const std::map<std::string, std::string>& given, const std::string& path
     const auto seed = static_cast<std::uint64_t>(number("seed", 7));
     const double noise = number("noise", 0.01);
     const int strata = static_cast<int>(number("gather", 32));
-    const std::vector<PointLight> lights = random_lights(scene, visibility, light_count, seed);
+    LightPlacement placement;
+    placement.surrounded = number("surrounded", 0.6);
+    const std::vector<PointLight> lights =
+        random_lights(scene, visibility, light_count, seed, placement);
 
     double worst = 0, squares = 0, gather_squares = 0;
     int above = 0;
