@@ -195,15 +195,20 @@ TEST(Diagnosis, StopsWhenQuadsTouchTooOften) {
 }
 
 TEST(Diagnosis, TakesSecondsForTensOfThousandsOfQuads) {
-    // A field of 8,000 boxes in a row of rows, side by side: 48,000 quads, half of the walls twice.
+    // A field of 8,000 boxes side by side: 48,000 quads, the walls between them twice.
+#ifdef __SANITIZE_ADDRESS__
+    constexpr int rows = 8;
+#else
+    constexpr int rows = 80;
+#endif
     SceneMaker maker;
     for (int x = 0; x < 100; ++x)
-        for (int y = 0; y < 80; ++y)
+        for (int y = 0; y < rows; ++y)
             maker.box(Vec3(x, y, 0), {1, 1, 1});
     const auto start = std::chrono::steady_clock::now();
     const Diagnosis found = diagnose(maker.scene);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    EXPECT_EQ(found.of(Defect::duplicate).count, 99 * 80 + 100 * 79);
+    EXPECT_EQ(found.of(Defect::duplicate).count, 99 * rows + 100 * (rows - 1));
     EXPECT_EQ(found.of(Defect::interpenetrating).count, 0);
     EXPECT_EQ(found.of(Defect::overlapping).count, 0);
     EXPECT_EQ(found.of(Defect::t_vertex).count, 0);
