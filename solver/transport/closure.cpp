@@ -59,60 +59,106 @@ void average_upwards(const std::vector<Element>& elements, Density& density) {
     }
 }
 
-/// Largest and rms deficit over the finest cells of closed elements that have sampled links to mend
-/// it with.
-struct Deficit {
-    double largest = 0;
-    double rms = 0;
-};
+/// Row sums of sides that are not closed may exceed one by this much: taking away every excess, and
+/// adding to no deficit, would darken the scene.
+constexpr double excess_by_chance = 0.1;
 
-Deficit measure(const std::vector<Element>& elements, const std::vector<bool>& closed,
-                const Density& total, const Density& sampled) {
-    Deficit deficit;
-    double area = 0;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        if (!closed[e]) continue;
-        const HaarBasis& basis = elements[e].space;
-        const std::uint32_t first = basis.tree().positions() - basis.tree().functions();
-        for (std::uint32_t p = first; p < basis.tree().positions(); ++p) {
-            const double missing = 1 - total[e][p];
-            const double a = basis.area(basis.tree().at(p));
-            deficit.rms += a * missing * missing;
+/// What a cell lacks to a full hemisphere. Nothing can be said of cells that are buried; and where
+/// something may escape, only that more than a full hemisphere is too much.
+class Deficits {
+  public:
+    Deficits(const std::vector<Element>& elements, const std::vector<bool>& closed,
+             const std::vector<PairLinks>& pairs)
+        : elements_(elements),
+          closed_(closed),
+          total_(link_density(elements, pairs, false)),
+          sampled_(link_density(elements, pairs, true)) {
+        for (std::size_t e = 0; e < elements.size(); ++e) {
+            const CellTree& tree = elements[e].space.tree();
+            const std::uint32_t first = tree.positions() - tree.functions();
+            missing_.emplace_back(tree.positions(), 0.0);
+            for (std::uint32_t p = first; p < tree.positions(); ++p) {
+                const double lacks = 1 - total_[e][p];
+                const bool is_buried =
+                    !elements[e].open.empty() && elements[e].open[p - first] == 0;
+                if (!is_buried)
+                    missing_[e][p] = closed[e] ? lacks : std::min(0.0, lacks + excess_by_chance);
+            }
+        }
+        average_upwards(elements, missing_);
+        average_upwards(elements, sampled_);
+    }
+
+    /// By how much of themselves the sampled links of a cell should change.
+    double gain(std::uint32_t e, std::uint32_t position) const {
+        return sampled_[e][position] > 0 ? missing_[e][position] / sampled_[e][position] : 0;
+    }
+
+    /// Largest deficit over the finest cells that have sampled links to mend it with.
+    double largest() const {
+        double largest = 0;
+        for_finest([&](std::size_t e, std::uint32_t p) {
+            if (sampled_[e][p] > 0) largest = std::max(largest, std::abs(missing_[e][p]));
+        });
+        return largest;
+    }
+
+    /// Root mean square over the area of closed elements.
+    double rms() const {
+        double squares = 0, area = 0;
+        for_finest([&](std::size_t e, std::uint32_t p) {
+            if (!closed_[e]) return;
+            const double a = elements_[e].space.area(elements_[e].space.tree().at(p));
+            squares += a * missing_[e][p] * missing_[e][p];
             area += a;
-            if (sampled[e][p] > 0) deficit.largest = std::max(deficit.largest, std::abs(missing));
+        });
+        return area > 0 ? std::sqrt(squares / area) : 0;
+    }
+
+  private:
+    template <typename Visit>
+    void for_finest(Visit visit) const {
+        for (std::size_t e = 0; e < elements_.size(); ++e) {
+            const CellTree& tree = elements_[e].space.tree();
+            for (std::uint32_t p = tree.positions() - tree.functions(); p < tree.positions(); ++p)
+                visit(e, p);
         }
     }
-    if (area > 0) deficit.rms = std::sqrt(deficit.rms / area);
-    return deficit;
-}
+
+    const std::vector<Element>& elements_;
+    const std::vector<bool>& closed_;
+    Density total_;
+    Density sampled_;
+    Density missing_;
+};
 
 }  // namespace
 
 ClosureReport close_links(const std::vector<Element>& elements, const std::vector<bool>& closed,
                           const ClosureOptions& options, std::vector<PairLinks>& pairs) {
+    std::vector<std::vector<double>> sampled_exchange;
+    for (const PairLinks& pair : pairs) {
+        sampled_exchange.emplace_back();
+        for (const LinkValue& link : pair.links)
+            sampled_exchange.back().push_back(link.exchange);
+    }
     ClosureReport report;
     for (;; ++report.sweeps) {
-        Density total = link_density(elements, pairs, false);
-        Density sampled = link_density(elements, pairs, true);
-        const Deficit deficit = measure(elements, closed, total, sampled);
-        if (report.sweeps == 0) report.deficit_before = deficit.rms;
-        report.deficit_after = deficit.rms;
-        if (report.sweeps == options.sweeps || deficit.largest <= options.target) return report;
-
-        average_upwards(elements, total);
-        average_upwards(elements, sampled);
-        const auto gain = [&](std::uint32_t e, std::uint32_t position) {
-            if (!closed[e] || !(sampled[e][position] > 0)) return 0.0;
-            return (1 - total[e][position]) / sampled[e][position];
-        };
-        for (PairLinks& pair : pairs) {
-            const int ends = (closed[pair.receiver] ? 1 : 0) + (closed[pair.sender] ? 1 : 0);
-            if (ends == 0) continue;
-            for (LinkValue& link : pair.links) {
+        const Deficits deficits(elements, closed, pairs);
+        if (report.sweeps == 0) report.deficit_before = deficits.rms();
+        report.deficit_after = deficits.rms();
+        if (report.sweeps == options.sweeps || deficits.largest() <= options.target) return report;
+        for (std::size_t p = 0; p < pairs.size(); ++p) {
+            PairLinks& pair = pairs[p];
+            for (std::size_t k = 0; k < pair.links.size(); ++k) {
+                LinkValue& link = pair.links[k];
                 if (!link.sampled) continue;
-                const double wanted =
-                    (gain(pair.receiver, link.receiver) + gain(pair.sender, link.sender)) / ends;
-                link.exchange *= 1 + std::clamp(wanted, -options.most_change, options.most_change);
+                const double wanted = 0.5 * (deficits.gain(pair.receiver, link.receiver) +
+                                             deficits.gain(pair.sender, link.sender));
+                const double original = sampled_exchange[p][k];
+                link.exchange =
+                    std::clamp(link.exchange * (1 + std::clamp(wanted, -0.5, 0.5)),
+                               original / options.most_change, original * options.most_change);
             }
         }
     }

@@ -10,7 +10,8 @@ namespace lightwell {
 struct ClosureOptions {
     int sweeps = 40;       ///< at most
     double target = 1e-6;  ///< stop when no cell is off by more than this share of its hemisphere
-    double most_change = 0.5;  ///< a sweep changes a link by at most this share of itself
+    double most_change =
+        2;  ///< no link ends up larger or smaller than it was by more than this factor
 };
 
 /// What the repair found and left, as shares of the hemisphere, rms over the cells of closed sides.

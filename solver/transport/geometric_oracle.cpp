@@ -17,6 +17,10 @@ constexpr double similar_size = 1.6;
 /// Most that the rays of a finest link are multiplied by.
 constexpr double most_excess = 4;
 
+/// Lengths below this share of the smaller facet's reach are not told apart when visibility is
+/// weighed.
+constexpr double softening_share = 0.7;
+
 /// Refines the larger support, or both where they are of similar size; what is finest stays.
 unsigned refine_by_size(const LinkGeometry& link, double receiver_reach, double sender_reach) {
     if (link.receiver_finest) return sender_space;
@@ -54,13 +58,20 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
             sum += kernel[i][j] * area_x[i] * area_y[j];
     // Where every sample looked away the facets are slivers: their exchange is spread evenly.
     const double even = 1.0 / (children.receivers * children.senders);
+    double shared = 0;
     for (int i = 0; i < children.receivers; ++i) {
         for (int j = 0; j < children.senders; ++j) {
             const double open = link.receiver->space.area(children.receiver[i]) *
                                 link.sender->space.area(children.sender[j]);
             strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * open / sum : even);
+            shared += strata.exchange[i][j];
         }
     }
+    // Noise must not make more than there is.
+    if (shared > whole)
+        for (auto& row : strata.exchange)
+            for (double& exchange : row)
+                exchange *= whole / shared;
 }
 
 }  // namespace
@@ -114,9 +125,15 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
         share(whole, link, children, variation.value, variation.value, strata);
         return {Verdict::Act::keep, 0};
     }
+    // A finest link that matters more than a link should, but cannot be refined, is sampled more.
+    const double excess = std::clamp(importance / std::max(allowed, 1e-300), 1.0, most_excess);
+    const int rays = static_cast<int>(std::lround(options_.rays * excess));
     const int strata_count = children.receivers * children.senders;
-    const StratifiedSamples samples = sample_strata(
-        link, children, (options_.rays + strata_count - 1) / strata_count, visibility_, cost);
+    const double softening =
+        softening_share * std::min(link.receiver_facet.reach(), link.sender_facet.reach());
+    const StratifiedSamples samples =
+        sample_strata(link, children, (rays + strata_count - 1) / strata_count, softening,
+                      visibility_, cost);
     if (samples.highest == 0) return {Verdict::Act::drop, 0};
     share(whole, link, children, samples.kernel, samples.visible, strata);
     strata.sampled = true;

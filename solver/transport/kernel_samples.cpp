@@ -54,6 +54,14 @@ Vec3 point_in(const Element& element, const ParameterRect& r, double u, double v
     return element.geometry.point(r.u0 + u * (r.u1 - r.u0), r.v0 + v * (r.v1 - r.v0));
 }
 
+double softened_kernel(const Vec3& x, const Vec3& normal_x, const Vec3& y, const Vec3& normal_y,
+                       double softening) {
+    const double square = (y - x).squaredNorm();
+    if (square >= softening * softening) return kernel(x, normal_x, y, normal_y);
+    const double shrink = square / (softening * softening);
+    return shrink * shrink * kernel(x, normal_x, y, normal_y);
+}
+
 Vec2 in_rect(const ParameterRect& r, double a, double b) {
     return {r.u0 + a * (r.u1 - r.u0), r.v0 + b * (r.v1 - r.v0)};
 }
@@ -127,7 +135,8 @@ KernelVariation kernel_variation(const LinkGeometry& link, const LinkChildren& c
 }
 
 StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& children,
-                                int per_stratum, const Visibility& visibility, OracleCost& cost) {
+                                int per_stratum, double softening, const Visibility& visibility,
+                                OracleCost& cost) {
     StratifiedSamples result;
     result.lowest = std::numeric_limits<double>::infinity();
     result.highest = 0;
@@ -144,14 +153,14 @@ StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& ch
                 Vec2 s = in_rect(at_y, sequence.at(2), sequence.at(3));
                 Vec3 x = link.receiver->geometry.point(r[0], r[1]);
                 Vec3 y = link.sender->geometry.point(s[0], s[1]);
-                double f = kernel(x, normal_x, y, normal_y);
+                double f = softened_kernel(x, normal_x, y, normal_y, softening);
                 result.kernel[i][j] += f / per_stratum;
                 const bool receiver_moved = move_to_open(*link.receiver, at_x, sequence, r);
                 const bool sender_moved = move_to_open(*link.sender, at_y, sequence, s);
                 if (receiver_moved || sender_moved) {
                     x = link.receiver->geometry.point(r[0], r[1]);
                     y = link.sender->geometry.point(s[0], s[1]);
-                    f = kernel(x, normal_x, y, normal_y);
+                    f = softened_kernel(x, normal_x, y, normal_y, softening);
                 }
                 double seen = 0;
                 if (f > 0) {

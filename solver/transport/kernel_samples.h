@@ -45,6 +45,7 @@ struct StratifiedSamples {
 /// OpenMask). The sequence is fixed by the link, so results do not depend on who computes them
 /// when.
 StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& children,
-                                int per_stratum, const Visibility& visibility, OracleCost& cost);
+                                int per_stratum, double softening, const Visibility& visibility,
+                                OracleCost& cost);
 
 }  // namespace lightwell

@@ -14,7 +14,7 @@ Verdict VariationOracle::judge(const LinkGeometry& link, std::vector<int>& /*occ
     const LinkChildren children = children_of(link);
     const int strata_count = children.receivers * children.senders;
     const StratifiedSamples samples = sample_strata(
-        link, children, (options_.samples + strata_count - 1) / strata_count, visibility_, cost);
+        link, children, (options_.samples + strata_count - 1) / strata_count, 0, visibility_, cost);
     if (samples.highest == 0) return {Verdict::Act::drop, 0};
 
     const double spread = samples.highest - samples.lowest;
