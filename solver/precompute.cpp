@@ -10,6 +10,7 @@
 
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
+#include "solver/reference/error_estimate.h"
 #include "solver/reference/random_lights.h"
 #include "solver/series/light_ensemble.h"
 #include "solver/series/neumann_series.h"
@@ -53,15 +54,27 @@ struct Settings {
     double truncation;        ///< relative error from left-out coefficients
 };
 
+/// First guesses, from measurements on the sample scenes: the error of a picture falls about as the
+/// square root of the oracle's tolerance and, being reconstructed smoothly, faster than the cells
+/// shrink.
 Settings settings_for(const PrecomputeOptions& options, double distance) {
     Settings settings{};
-    settings.cell_size = options.cell_size.value_or(0.7 * std::sqrt(options.error) * distance);
+    settings.cell_size =
+        options.cell_size.value_or(0.09 * distance * std::pow(options.error / 0.05, 0.35));
     const double tolerance = options.oracle == OracleKind::geometric
-                                 ? 0.1 * options.error * options.error
+                                 ? 0.04 * options.error * options.error
                                  : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
-    settings.truncation = options.truncation.value_or(0.3 * options.error);
+    settings.truncation = options.truncation.value_or(0.33 * options.error);
     return settings;
+}
+
+/// Tightens what is not set by hand after an operator came out `missed` times as wrong as asked.
+void tighten(const PrecomputeOptions& options, double missed, Settings& settings) {
+    const double factor = std::clamp(0.9 / missed, 0.6, 0.9);
+    if (!options.oracle_tolerance) settings.oracle_tolerance *= factor * factor;
+    if (!options.truncation) settings.truncation *= factor;
+    if (!options.cell_size) settings.cell_size *= std::sqrt(factor);
 }
 
 std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Settings& settings,
@@ -81,9 +94,8 @@ std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Sett
 
 /// Where lights are expected: anywhere that there is room, in rooms rather than in the open. A
 /// scene without such a place, a single quad for example, has none; then nothing is weighed.
-std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibility) {
-    constexpr int count = 48;
-    constexpr std::uint64_t seed = 20060626;
+std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibility, int count,
+                                  std::uint64_t seed) {
     LightPlacement indoors;
     indoors.surrounded = 0.6;
     std::vector<Vec3> positions;
@@ -189,51 +201,92 @@ void sum_series(const LightEnsemble& ensemble, double budget, const Progress& pr
     }
 }
 
-}  // namespace
+/// Memory that a scene of so many cells takes, as measured: links and coefficients before
+/// truncation.
+void require_memory(const std::vector<Element>& elements, std::uint64_t max_memory) {
+    constexpr double bytes_a_cell = 9000;
+    double cells = 0;
+    for (const Element& element : elements)
+        cells += element.functions();
+    if (cells * bytes_a_cell > static_cast<double>(max_memory))
+        throw InputError(
+            fmt::format("the scene has {:.0f} cells at this error, which take about {:.1f} GiB; "
+                        "allowed are {:.1f} GiB "
+                        "(--max-memory). Ask for a larger --error, or allow more.",
+                        cells, cells * bytes_a_cell / 1073741824.0,
+                        static_cast<double>(max_memory) / 1073741824.0));
+}
 
-GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
-                           const Progress& progress, PrecomputeReport& report) {
-    StageClock clock(report.seconds);
-    OracleCost cost;
+/// What does not depend on the settings.
+struct Ground {
+    explicit Ground(const Scene& the_scene)
+        : scene(the_scene), quads(quads_of(the_scene)), visibility(quads), occluders(quads) {}
+
+    static std::vector<Quad> quads_of(const Scene& scene) {
+        std::vector<Quad> quads;
+        for (const SceneQuad& q : scene.quads)
+            quads.push_back(q.quad);
+        return quads;
+    }
+
+    const Scene& scene;
     std::vector<Quad> quads;
-    for (const SceneQuad& q : scene.quads)
-        quads.push_back(q.quad);
+    Visibility visibility;
+    OccluderTree occluders;
+    std::vector<Element> elements;  ///< not refined
+    std::vector<bool> closed;       ///< by element
+    double distance = 0;            ///< see typical_distance
+    std::vector<Vec3> positions;    ///< where lights can be
+    std::vector<Vec3> unseen;       ///< the same, for judging
+    std::uint64_t blind_sides = 0;
+};
 
-    // 1. Elements: sides that can see something, and what they see.
-    const Visibility visibility(quads);
-    const OccluderTree occluders(quads);
-    std::vector<Element> elements = seeing_elements(scene, report.blind_sides);
+/// 1. Elements: sides that can see something, and what they see.
+void survey(Ground& ground, OracleCost& cost, PrecomputeReport& report) {
     constexpr int survey_rays = 256;
-    std::vector<SideSurvey> survey = survey_sides(elements, visibility, survey_rays, cost);
-    const std::vector<Vec3> positions = light_positions(scene, visibility);
-    report.inside_of_solids = drop_inside_of_solids(positions, visibility, cost, elements, survey);
-    const Settings settings = settings_for(options, typical_distance(elements, survey));
+    constexpr int ensemble_size = 48, judged = 8;
+    ground.elements = seeing_elements(ground.scene, ground.blind_sides);
+    std::vector<SideSurvey> sides =
+        survey_sides(ground.elements, ground.visibility, survey_rays, cost);
+    ground.positions = light_positions(ground.scene, ground.visibility, ensemble_size, 20060626);
+    ground.unseen = light_positions(ground.scene, ground.visibility, judged, 1);
+    report.inside_of_solids =
+        drop_inside_of_solids(ground.positions, ground.visibility, cost, ground.elements, sides);
+    for (const SideSurvey& side : sides)
+        ground.closed.push_back(side.escaped == 0);
+    ground.distance = typical_distance(ground.elements, sides);
+}
+
+/// 2. to 5.: the operators for given settings.
+GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
+                      const Settings& settings, const Progress& progress, OracleCost& cost,
+                      StageClock& clock, PrecomputeReport& report) {
     constexpr int most_levels = 6;
+    std::vector<Element> elements = ground.elements;
+    report.blind_sides = ground.blind_sides;
     set_cells(elements, settings.cell_size, most_levels);
-    set_open_masks(quads, occluders, visibility, elements, cost);
+    require_memory(elements, options.max_memory);
+    set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     clock.lap("elements");
 
     // 2. Links, as far as the oracle refines them.
     double area = 0;
     for (const Element& element : elements)
         area += element.area();
-    const std::unique_ptr<Oracle> oracle = make_oracle(options, settings, quads, visibility, area);
+    const std::unique_ptr<Oracle> oracle =
+        make_oracle(options, settings, ground.quads, ground.visibility, area);
     std::vector<PairLinks> pairs =
-        refine_links(elements, quads, occluders, *oracle, progress, cost);
-    report.links_judged = cost.links_judged;
+        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, cost);
     clock.lap("links");
 
     // 3. Energy: what sampled links lack in closed surroundings.
-    std::vector<bool> closed;
-    for (const SideSurvey& side : survey)
-        closed.push_back(side.escaped == 0);
-    report.closure = close_links(elements, closed, {}, pairs);
+    report.closure = close_links(elements, ground.closed, {}, pairs);
     drop_unlinked(elements, pairs, report.blind_sides);
     clock.lap("closure");
 
     // 4. The direct transport operator in wavelets, truncated for the lights that can be.
     GlobalTransport transport;
-    transport.scene = scene;
+    transport.scene = ground.scene;
     transport.space = RadianceSpace(std::move(elements));
     const std::vector<Coefficient> coefficients =
         direct_transport(transport.space, pairs, progress);
@@ -242,9 +295,9 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     Eigen::ArrayXd albedo(static_cast<Eigen::Index>(transport.space.elements().size()));
     for (std::size_t e = 0; e < transport.space.elements().size(); ++e)
         albedo[static_cast<Eigen::Index>(e)] =
-            scene.material_of(transport.space.element(e).quad).reflectance.mean();
+            ground.scene.material_of(transport.space.element(e).quad).reflectance.mean();
     const LightEnsemble ensemble =
-        light_ensemble(transport.space, quads, occluders, positions,
+        light_ensemble(transport.space, ground.quads, ground.occluders, ground.positions,
                        mean_bounce(transport.space.elements(), pairs), albedo);
     clock.lap("ensemble");
     transport.bounce =
@@ -255,20 +308,57 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     // 5. The global transport operator.
     sum_series(ensemble, settings.truncation, progress, transport);
     clock.lap("series");
-
-    // 6. Report.
     report.elements = transport.space.elements().size();
     report.cells = transport.space.functions();
+    for (const PairLinks& pair : pairs)
+        transport.provenance.links += pair.links.size();
+    return transport;
+}
+
+}  // namespace
+
+GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
+                           const Progress& progress, PrecomputeReport& report) {
+    StageClock clock(report.seconds);
+    OracleCost cost;
+    Ground ground(scene);
+    survey(ground, cost, report);
+    clock.lap("elements");
+
+    Settings settings = settings_for(options, ground.distance);
+    GlobalTransport transport;
+    ErrorEstimate estimate;
+    for (report.attempts = 1;; ++report.attempts) {
+        transport = build(ground, options, settings, progress, cost, clock, report);
+        if (options.most_attempts == 0) break;
+        progress.check();
+
+        // 6. Is it good enough?
+        EstimateOptions judge;
+        judge.noise = std::clamp(options.error, 0.005, 0.05);
+        estimate = estimate_error(transport, ground.quads, ground.occluders, ground.visibility,
+                                  ground.unseen, judge);
+        report.estimate_rays += estimate.rays;
+        clock.lap("estimate");
+        const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
+        if (estimate.ninth_of_ten() <= options.error || by_hand ||
+            report.attempts == options.most_attempts)
+            break;
+        tighten(options, estimate.ninth_of_ten() / options.error, settings);
+    }
+    report.error_by_light = estimate.by_light;
+    report.links_judged = cost.links_judged;
+
     Provenance& provenance = transport.provenance;
     provenance.program = "lightwell";
     provenance.oracle = options.oracle == OracleKind::geometric ? "geometric" : "variation";
     provenance.error_asked = options.error;
+    provenance.error_estimated = estimate.rms();
+    provenance.energy_dropped = estimate.energy_dropped;
     provenance.cell_size = settings.cell_size;
     provenance.oracle_tolerance = settings.oracle_tolerance;
     provenance.truncation = settings.truncation;
     provenance.rays = cost.rays;
-    for (const PairLinks& pair : pairs)
-        provenance.links += pair.links.size();
     return transport;
 }
 

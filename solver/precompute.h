@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
@@ -26,6 +27,8 @@ struct PrecomputeOptions {
     std::optional<double> truncation;
     /// Memory that the computation may take [bytes].
     std::uint64_t max_memory = std::uint64_t{8} << 30;
+    /// Operators that may be built; 0 builds one and does not judge it.
+    int most_attempts = 4;
 };
 
 /// What it did and cost.
@@ -35,6 +38,10 @@ struct PrecomputeReport {
     std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids
     std::uint64_t cells = 0;             ///< finest cells of all elements
     std::uint64_t links_judged = 0;
+    int attempts = 0;                ///< operators built until one was good enough
+    std::int64_t estimate_rays = 0;  ///< traced to judge them, beside those in Provenance::rays
+    std::vector<double>
+        error_by_light;  ///< of the last one: relative rms errors of lights it was not made for
     std::uint64_t coefficients_before = 0;  ///< of M before truncation
     ClosureReport closure;
     std::map<std::string, double> seconds;  ///< by stage, with "total"

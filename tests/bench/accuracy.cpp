@@ -82,6 +82,7 @@ int run(const std::map<std::string, std::string>& given, const std::string& path
     if (given.count("truncation") != 0) options.truncation = number("truncation", 0);
     if (given.count("oracle") != 0 && given.at("oracle") == "variation")
         options.oracle = OracleKind::variation;
+    options.most_attempts = static_cast<int>(number("attempts", 4));
     PrecomputeReport report;
     const GlobalTransport transport = precompute(scene, options, {}, report);
     std::string line = fmt::format(
@@ -93,6 +94,9 @@ int run(const std::map<std::string, std::string>& given, const std::string& path
         line += fmt::format(" {} {:.2f}s", stage, seconds);
     line += fmt::format(" closure {:.2e} -> {:.2e} in {}", report.closure.deficit_before,
                         report.closure.deficit_after, report.closure.sweeps);
+    line += fmt::format(" attempts {} estimate {:.4f} energy dropped {:.4f} judge rays {}",
+                        report.attempts, transport.provenance.error_estimated,
+                        transport.provenance.energy_dropped, report.estimate_rays);
     std::cout << line << std::endl;
 
     std::vector<Quad> quads;
