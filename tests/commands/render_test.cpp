@@ -86,6 +86,18 @@ TEST_F(RenderedCornellBox, LuxIsWhatIsMeasuredThere) {
     }
 }
 
+TEST_F(RenderedCornellBox, GatheredLightIsTheSameLightMoreEven) {
+    const Image plain = rendered({"--view", "indirect"}).image;
+    const Image gathered = rendered({"--view", "indirect", "--gather"}).image;
+    Eigen::Array3d plain_sum = Eigen::Array3d::Zero(), gathered_sum = Eigen::Array3d::Zero();
+    for (std::size_t k = 0; k < plain.pixels().size(); ++k) {
+        plain_sum += plain.pixels()[k].cast<double>();
+        gathered_sum += gathered.pixels()[k].cast<double>();
+    }
+    EXPECT_LT(((gathered_sum - plain_sum) / plain_sum).abs().maxCoeff(), 0.05);
+    EXPECT_GT((gathered_sum - plain_sum).abs().maxCoeff(), 0);
+}
+
 TEST_F(RenderedCornellBox, ExposureActsOnThePngAlone) {
     const Words words = {"render",           file_,       "--size", "32x24", "-o",
                          *folder_ / "e.png", "--exposure"};

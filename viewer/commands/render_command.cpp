@@ -9,6 +9,7 @@
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/direct_light.h"
+#include "runtime/outgoing/gathered_surfaces.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/reading/input_file.h"
 #include "solver/reading/scene_reader.h"
@@ -30,20 +31,22 @@ namespace {
 /// The light at every point that a picture may show.
 class LitSurfaces {
   public:
-    LitSurfaces(const OpenedOperator& opened, std::vector<Light> lights, View view)
+    LitSurfaces(const OpenedOperator& opened, std::vector<Light> lights,
+                const RenderRequest& request)
         : opened_(opened),
           lights_(std::move(lights)),
-          view_(view),
+          view_(request.view),
           direct_(opened.transport.scene, opened.visibility, opened.occluders) {
         if (view_ == View::direct) return;
         const Lighting lighting = light_scene(opened.transport, lights_, opened.quads,
                                               opened.occluders, Propagation::solved);
-        indirect_ = smooth_irradiance(opened.transport.space, lighting.indirect);
+        indirect_ = request.gather ? gathered(lighting)
+                                   : smooth_irradiance(opened.transport.space, lighting.indirect);
     }
 
     /// What the view shows of a side of a quad, in the view's unit.
     Rgb shown(int quad, bool front, const Vec3& position) const {
-        if (stop_requested()) throw Interrupted("stopped on request");
+        heed_stop();
         const Rgb light = irradiance(quad, front, position);
         if (view_ == View::lux) return light;
         const Material& material = opened_.transport.scene.material_of(quad);
@@ -56,6 +59,19 @@ class LitSurfaces {
     }
 
   private:
+    static void heed_stop() {
+        if (stop_requested()) throw Interrupted("stopped on request");
+    }
+
+    std::vector<SmoothSurface> gathered(const Lighting& lighting) const {
+        constexpr int strata = 16, points = 2;  // 1,024 rays a cell
+        const RadianceSpace& space = opened_.transport.space;
+        const FinalGather gather(opened_.transport, opened_.visibility,
+                                 smooth_irradiance(space, lighting.direct + lighting.indirect),
+                                 strata);
+        return gathered_surfaces(space, gather, points, heed_stop);
+    }
+
     /// [lx]
     Rgb irradiance(int quad, bool front, const Vec3& position) const {
         const Vec3 up = opened_.quads[static_cast<std::size_t>(quad)].normal();
@@ -144,7 +160,7 @@ void run_render(const RenderRequest& request) {
                       request);
         return;
     }
-    const LitSurfaces surfaces(opened, lights, request.view);
+    const LitSurfaces surfaces(opened, lights, request);
     const Shade shade = [&surfaces](int quad, bool front, const Vec3& position, const Vec3&) {
         return surfaces.shown(quad, front, position);
     };
