@@ -123,7 +123,8 @@ std::string contents(const std::string& path) {
 std::string precomputed(const ScratchFolder& folder, const std::string& scene,
                         const std::string& error) {
     const std::string file = folder / "scene.gto";
-    const ProgramRun run = lightwell({"precompute", scene, "-o", file, "--error", error, "-q"});
+    const ProgramRun run =
+        lightwell({"precompute", scene, "-o", file, "--error", error, "--attempts", "0", "-q"});
     EXPECT_EQ(run.status, 0) << run.err;
     return file;
 }

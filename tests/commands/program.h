@@ -50,7 +50,8 @@ class ScratchFolder {
 
 std::string contents(const std::string& path);
 
-/// Precomputes a scene and expects it to go well. @return the path of the operator, in `folder`.
+/// Precomputes a scene, without judging the result, and expects it to go well. @return the path of
+/// the operator, in `folder`.
 std::string precomputed(const ScratchFolder& folder, const std::string& scene,
                         const std::string& error = "0.3");
 

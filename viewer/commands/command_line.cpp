@@ -89,6 +89,12 @@ CLI::App* add_precompute(CLI::App& app, Requests& requests) {
     command->add_flag_callback(
         "--no-progress", [&request] { request.progress = false; }, "show no progress");
     const std::string by_hand = "Set by hand (they follow from --error otherwise)";
+    add_value(*command, "--attempts", "N",
+              "operators that may be built to reach the error; 0 builds one and does not judge it",
+              [&options](const std::string& text) {
+                  options.most_attempts = whole_argument("--attempts", text, 0, 100);
+              })
+        ->group(by_hand);
     add_value(*command, "--cell-size", "METRES", "largest side of a finest cell",
               [&options](const std::string& text) {
                   options.cell_size = positive_argument("--cell-size", text);

@@ -43,6 +43,7 @@ std::string options_json(const PrecomputeOptions& options) {
     if (options.cell_size) json["cell_size"] = *options.cell_size;
     if (options.oracle_tolerance) json["oracle_tolerance"] = *options.oracle_tolerance;
     if (options.truncation) json["truncation"] = *options.truncation;
+    json["attempts"] = options.most_attempts;
     return json.dump();
 }
 

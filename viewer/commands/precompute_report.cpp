@@ -34,6 +34,8 @@ std::string json_report(const PrecomputeOutcome& outcome) {
     json["cell_size"] = provenance.cell_size;
     json["rays"] = provenance.rays;
     json["links"] = provenance.links;
+    json["attempts"] = outcome.report.attempts;
+    json["estimate_rays"] = outcome.report.estimate_rays;
     json["links_judged"] = outcome.report.links_judged;
     json["dto_coefficients"] = outcome.transport.bounce.coefficients();
     json["gto_coefficients"] = coefficients_per_channel(outcome.transport);
