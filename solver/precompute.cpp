@@ -57,12 +57,14 @@ struct Settings {
 /// First guesses, from measurements on the sample scenes: the error of a picture falls about as the
 /// square root of the oracle's tolerance and, being reconstructed smoothly, faster than the cells
 /// shrink.
-Settings settings_for(const PrecomputeOptions& options, double distance) {
+Settings settings_for(const PrecomputeOptions& options, double distance, std::size_t elements) {
     Settings settings{};
     settings.cell_size =
         options.cell_size.value_or(0.09 * distance * std::pow(options.error / 0.05, 0.35));
+    const double crowding =
+        std::pow(16.0 / static_cast<double>(std::max<std::size_t>(elements, 16)), 0.25);
     const double tolerance = options.oracle == OracleKind::geometric
-                                 ? 0.04 * options.error * options.error
+                                 ? 0.04 * options.error * options.error * crowding
                                  : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
     settings.truncation = options.truncation.value_or(0.33 * options.error);
@@ -112,19 +114,23 @@ std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibili
 }
 
 /// Removes the elements that no link touches: they see nothing after all.
-void drop_unlinked(std::vector<Element>& elements, std::vector<PairLinks>& pairs,
-                   std::uint64_t& blind) {
+void drop_unlinked(std::vector<Element>& elements, std::vector<bool>& closed,
+                   std::vector<PairLinks>& pairs, std::uint64_t& blind) {
     std::vector<bool> is_linked(elements.size(), false);
     for (const PairLinks& pair : pairs)
         is_linked[pair.receiver] = is_linked[pair.sender] = true;
     std::vector<std::uint32_t> number(elements.size());
     std::vector<Element> linked;
+    std::vector<bool> linked_closed;
     for (std::size_t e = 0; e < elements.size(); ++e) {
         number[e] = static_cast<std::uint32_t>(linked.size());
-        if (is_linked[e]) linked.push_back(std::move(elements[e]));
+        if (!is_linked[e]) continue;
+        linked.push_back(std::move(elements[e]));
+        linked_closed.push_back(closed[e]);
     }
     blind += elements.size() - linked.size();
     elements = std::move(linked);
+    closed = std::move(linked_closed);
     for (PairLinks& pair : pairs) {
         pair.receiver = number[pair.receiver];
         pair.sender = number[pair.sender];
@@ -241,6 +247,14 @@ struct Ground {
     std::uint64_t blind_sides = 0;
 };
 
+/// Surface points a light to judge at: fewer where the albedo makes the judge's paths long.
+int judged_points(const Scene& scene) {
+    double albedo = 0;
+    for (const Material& material : scene.materials)
+        albedo = std::max(albedo, material.reflectance.maxCoeff());
+    return std::clamp(static_cast<int>(1000 * (1 - albedo)), 24, 200);
+}
+
 /// 1. Elements: sides that can see something, and what they see.
 void survey(Ground& ground, OracleCost& cost, PrecomputeReport& report) {
     constexpr int survey_rays = 256;
@@ -280,8 +294,9 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     clock.lap("links");
 
     // 3. Energy: what sampled links lack in closed surroundings.
-    report.closure = close_links(elements, ground.closed, {}, pairs);
-    drop_unlinked(elements, pairs, report.blind_sides);
+    std::vector<bool> closed = ground.closed;
+    report.closure = close_links(elements, closed, {}, pairs);
+    drop_unlinked(elements, closed, pairs, report.blind_sides);
     clock.lap("closure");
 
     // 4. The direct transport operator in wavelets, truncated for the lights that can be.
@@ -301,7 +316,7 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
                        mean_bounce(transport.space.elements(), pairs), albedo);
     clock.lap("ensemble");
     transport.bounce =
-        truncated(transport.space, coefficients, ensemble.total,
+        truncated(transport.space, closed, coefficients, ensemble.total,
                   bounce_threshold(coefficients, ensemble.total, 0.5 * settings.truncation));
     clock.lap("operator");
 
@@ -325,7 +340,7 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     survey(ground, cost, report);
     clock.lap("elements");
 
-    Settings settings = settings_for(options, ground.distance);
+    Settings settings = settings_for(options, ground.distance, ground.elements.size());
     GlobalTransport transport;
     ErrorEstimate estimate;
     for (report.attempts = 1;; ++report.attempts) {
@@ -335,7 +350,8 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
 
         // 6. Is it good enough?
         EstimateOptions judge;
-        judge.noise = std::clamp(options.error, 0.005, 0.05);
+        judge.noise = std::clamp(options.error, 0.03, 0.05);
+        judge.points = judged_points(scene);
         estimate = estimate_error(transport, ground.quads, ground.occluders, ground.visibility,
                                   ground.unseen, judge);
         report.estimate_rays += estimate.rays;

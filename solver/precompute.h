@@ -28,7 +28,7 @@ struct PrecomputeOptions {
     /// Memory that the computation may take [bytes].
     std::uint64_t max_memory = std::uint64_t{8} << 30;
     /// Operators that may be built; 0 builds one and does not judge it.
-    int most_attempts = 4;
+    int most_attempts = 3;
 };
 
 /// What it did and cost.

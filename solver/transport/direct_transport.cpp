@@ -100,12 +100,65 @@ std::vector<Coefficient> direct_transport(const RadianceSpace& space,
     return all;
 }
 
-SymmetricOperator truncated(const RadianceSpace& space,
+namespace {
+
+/// For every basis function, what the operator makes of uniform light, by way of the columns (or
+/// rows, it is symmetric) of whole elements: sum_s m_rs sqrt(A_s).
+Eigen::ArrayXd response_to_uniform(const RadianceSpace& space, const std::vector<bool>& is_mean,
+                                   const std::vector<Coefficient>& coefficients,
+                                   const std::vector<bool>* kept) {
+    Eigen::ArrayXd root = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(space.functions()));
+    for (const Element& element : space.elements())
+        root[element.first] = std::sqrt(element.area());
+    Eigen::ArrayXd response = Eigen::ArrayXd::Zero(root.size());
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+        if (kept != nullptr && !(*kept)[k]) continue;
+        const Coefficient& c = coefficients[k];
+        if (is_mean[c.column]) response[c.row] += static_cast<double>(c.value) * root[c.column];
+        if (is_mean[c.row]) response[c.column] += static_cast<double>(c.value) * root[c.row];
+    }
+    return response;
+}
+
+}  // namespace
+
+SymmetricOperator truncated(const RadianceSpace& space, const std::vector<bool>& closed,
                             const std::vector<Coefficient>& coefficients,
                             const Eigen::ArrayXd& weight, double threshold) {
     std::vector<bool> is_mean(space.functions(), false);
     for (const Element& element : space.elements())
         is_mean[element.first] = true;
+    std::vector<bool> kept(coefficients.size());
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+        const Coefficient& c = coefficients[k];
+        kept[k] =
+            std::abs(static_cast<double>(c.value)) * std::max(weight[c.row], weight[c.column]) >=
+                threshold ||
+            (is_mean[c.row] && is_mean[c.column]);
+    }
+
+    // What uniform light becomes: where nothing escapes, uniform light again; elsewhere, what it
+    // was before truncation. A ripple that coarse links and truncation leave in it is fed back by
+    // every bounce and costs energy in its square, which high albedo amplifies. What a row lacks is
+    // given to the coefficients that it kept, by their squares, so that large ones bear most and
+    // change least.
+    Eigen::ArrayXd wanted = response_to_uniform(space, is_mean, coefficients, nullptr);
+    for (std::size_t e = 0; e < space.elements().size(); ++e) {
+        const Element& element = space.element(e);
+        if (closed[e]) wanted.segment(element.first + 1, element.functions() - 1) = 0;
+    }
+    const Eigen::ArrayXd lost = wanted - response_to_uniform(space, is_mean, coefficients, &kept);
+    Eigen::ArrayXd carried = Eigen::ArrayXd::Zero(lost.size());
+    const auto root = [&](std::uint32_t function) {
+        return std::sqrt(space.element(space.element_of(function)).area());
+    };
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+        const Coefficient& c = coefficients[k];
+        if (!kept[k] || is_mean[c.row] == is_mean[c.column]) continue;
+        const std::uint32_t detail = is_mean[c.column] ? c.row : c.column;
+        carried[detail] += static_cast<double>(c.value) * static_cast<double>(c.value) *
+                           root(is_mean[c.column] ? c.column : c.row);
+    }
 
     SymmetricOperator result;
     TransportOperator& upper = result.upper;
@@ -114,12 +167,15 @@ SymmetricOperator truncated(const RadianceSpace& space,
     std::size_t next = 0;
     for (std::uint32_t column = 0; column < upper.size; ++column) {
         for (; next < coefficients.size() && coefficients[next].column == column; ++next) {
+            if (!kept[next]) continue;
             const Coefficient& c = coefficients[next];
-            const double magnitude =
-                std::abs(static_cast<double>(c.value)) * std::max(weight[c.row], weight[c.column]);
-            if (magnitude < threshold && !(is_mean[c.row] && is_mean[c.column])) continue;
+            double value = static_cast<double>(c.value);
+            if (is_mean[c.row] != is_mean[c.column]) {
+                const std::uint32_t detail = is_mean[c.column] ? c.row : c.column;
+                if (carried[detail] > 0) value += lost[detail] * value * value / carried[detail];
+            }
             upper.row.push_back(c.row);
-            upper.value.push_back(c.value);
+            upper.value.push_back(static_cast<float>(value));
         }
         upper.column_start.push_back(upper.value.size());
     }
