@@ -68,7 +68,7 @@ TEST_F(RenderedCornellBox, TotalIsDirectAndIndirect) {
     EXPECT_LT(brightest, 1500);
 }
 
-TEST_F(RenderedCornellBox, LuxIsWhatIsMeasuredThere) {
+TEST_F(RenderedCornellBox, LuxIsWhatIsMeasuredThereAndLuminanceWhatTheFloorReflects) {
     // A camera that looks straight down on one point of the floor through a narrow angle.
     const std::string camera = folder_->write("down.toml",
                                               "[camera]\nposition = [1, 1.5, 2]\ntarget = [1, 1.5, "
@@ -78,11 +78,14 @@ TEST_F(RenderedCornellBox, LuxIsWhatIsMeasuredThere) {
         {"measure", file_, "--no-gather", "--sensors", folder_->write("s.csv", "1,1.5,0,0,0,1\n")});
     ASSERT_EQ(run.status, 0) << run.err;
     const auto row = table_from(run.out).at(0);
+    const ExrPicture total = rendered({"--camera", camera}, "1x1");
     const char channels[] = {'r', 'g', 'b'};
+    const double white[] = {0.725, 0.71, 0.68};  // reflectance of the floor
     for (int c = 0; c < 3; ++c) {
         const double lux = row.at(fmt::format("direct_{}", channels[c])) +
                            row.at(fmt::format("indirect_{}", channels[c]));
         EXPECT_NEAR(picture.image.at(0, 0)[c], lux, 1e-3 * lux);
+        EXPECT_NEAR(total.image.at(0, 0)[c], white[c] / M_PI * lux, 1e-3 * lux);
     }
 }
 
