@@ -76,7 +76,7 @@ void tighten(const PrecomputeOptions& options, double missed, Settings& settings
     const double factor = std::clamp(0.9 / missed, 0.6, 0.9);
     if (!options.oracle_tolerance) settings.oracle_tolerance *= factor * factor;
     if (!options.truncation) settings.truncation *= factor;
-    if (!options.cell_size) settings.cell_size *= std::sqrt(factor);
+    if (!options.cell_size) settings.cell_size *= std::pow(factor, 0.25);
 }
 
 std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Settings& settings,

@@ -44,14 +44,15 @@ HaarBasis::HaarBasis(const Quad& quad, CellTree tree, const std::vector<double>&
         for (std::uint32_t c = 0; c < tree_.children(cell.level); ++c)
             area_[position] += area(tree_.child(cell, c));
     }
-}
-
-Eigen::Matrix4d HaarBasis::frame(const Cell& cell) const {
-    const std::uint32_t children = tree_.children(cell.level);
-    Eigen::Vector4d h = Eigen::Vector4d::Zero();
-    for (std::uint32_t c = 0; c < children; ++c)
-        h[c] = std::sqrt(area(tree_.child(cell, c)));
-    return frame_of(h.normalized(), children);
+    frame_.resize(first_finest);
+    for (std::uint32_t position = 0; position < first_finest; ++position) {
+        const Cell cell = tree_.at(position);
+        const std::uint32_t children = tree_.children(cell.level);
+        Eigen::Vector4d h = Eigen::Vector4d::Zero();
+        for (std::uint32_t c = 0; c < children; ++c)
+            h[c] = std::sqrt(area(tree_.child(cell, c)));
+        frame_[position] = frame_of(h.normalized(), children);
+    }
 }
 
 // Both transforms go through a copy of one level: scaling coefficients occupy rows 0 .. cells(l)-1
@@ -63,7 +64,7 @@ void HaarBasis::analyse(Eigen::Ref<RowMatrix> rows, int depth) const {
         const RowMatrix finer = rows.topRows(tree_.cells(level + 1));
         for (std::uint32_t m = 0; m < tree_.cells(level); ++m) {
             const Cell cell{level, m};
-            const Eigen::Matrix4d weights = frame(cell);
+            const Eigen::Matrix4d& weights = frame(cell);
             for (std::uint32_t k = 0; k < children; ++k) {
                 auto target = rows.row(k == 0 ? m : tree_.wavelet(cell, k));
                 target = weights(k, 0) * finer.row(children * m);
@@ -81,7 +82,7 @@ void HaarBasis::synthesise(Eigen::Ref<RowMatrix> rows, int depth) const {
         const RowMatrix coarser = rows.topRows(tree_.cells(level + 1));
         for (std::uint32_t m = 0; m < tree_.cells(level); ++m) {
             const Cell cell{level, m};
-            const Eigen::Matrix4d weights = frame(cell);
+            const Eigen::Matrix4d& weights = frame(cell);
             for (std::uint32_t c = 0; c < children; ++c) {
                 auto target = rows.row(children * m + c);
                 target = weights(0, c) * coarser.row(m);

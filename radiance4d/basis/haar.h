@@ -35,10 +35,12 @@ class HaarBasis {
     const CellTree& tree() const { return tree_; }
     /// Measured area of a cell [m2].
     double area(const Cell& cell) const { return area_[tree_.position(cell)]; }
+    /// The same by CellTree::position.
+    double area_at(std::uint32_t position) const { return area_[position]; }
     /// The orthonormal frame of a cell that is not finest: row 0 holds h_c, row k the weights of
     /// wavelet k on the children's scaling functions. Only the first children(level) rows and
     /// columns are set.
-    Eigen::Matrix4d frame(const Cell& cell) const;
+    const Eigen::Matrix4d& frame(const Cell& cell) const { return frame_[tree_.position(cell)]; }
 
     /// Scaling coefficients of the cells of level `depth`, one row each, become wavelet
     /// coefficients, in place: row i is basis function i. Exact inverse of synthesise. O(rows) per
@@ -49,7 +51,8 @@ class HaarBasis {
 
   private:
     CellTree tree_;
-    std::vector<double> area_ = {1.0};  // by CellTree::position
+    std::vector<double> area_ = {1.0};    // by CellTree::position
+    std::vector<Eigen::Matrix4d> frame_;  // by CellTree::position, finest cells left out
 };
 
 }  // namespace lightwell

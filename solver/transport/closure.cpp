@@ -18,26 +18,30 @@ Density zeros(const std::vector<Element>& elements) {
     return density;
 }
 
-/// Adds each link's exchange area to both of its cells, divided by the cell's area.
-Density link_density(const std::vector<Element>& elements, const std::vector<PairLinks>& pairs,
-                     bool sampled_only) {
-    Density density = zeros(elements);
-    for (const PairLinks& pair : pairs) {
-        const HaarBasis& x = elements[pair.receiver].space;
-        const HaarBasis& y = elements[pair.sender].space;
-        for (const LinkValue& link : pair.links) {
-            if (sampled_only && !link.sampled) continue;
-            density[pair.receiver][link.receiver] +=
-                link.exchange / x.area(x.tree().at(link.receiver));
-            density[pair.sender][link.sender] += link.exchange / y.area(y.tree().at(link.sender));
-        }
-    }
-    // What a coarse cell exchanges, each of its parts does.
+/// What a coarse cell exchanges, each of its parts does.
+void spread_downwards(const std::vector<Element>& elements, Density& density) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
         const CellTree& tree = elements[e].space.tree();
         for (std::uint32_t p = 1; p < tree.positions(); ++p)
             density[e][p] += density[e][tree.position(tree.parent(tree.at(p)))];
     }
+}
+
+/// Each link's exchange area over the area of either of its cells, of the links that are sampled or
+/// of those that are not.
+Density link_density(const std::vector<Element>& elements, const std::vector<PairLinks>& pairs,
+                     bool sampled) {
+    Density density = zeros(elements);
+    for (const PairLinks& pair : pairs) {
+        const HaarBasis& x = elements[pair.receiver].space;
+        const HaarBasis& y = elements[pair.sender].space;
+        for (const LinkValue& link : pair.links) {
+            if (link.sampled != sampled) continue;
+            density[pair.receiver][link.receiver] += link.exchange / x.area_at(link.receiver);
+            density[pair.sender][link.sender] += link.exchange / y.area_at(link.sender);
+        }
+    }
+    spread_downwards(elements, density);
     return density;
 }
 
@@ -68,17 +72,14 @@ constexpr double excess_by_chance = 0.1;
 class Deficits {
   public:
     Deficits(const std::vector<Element>& elements, const std::vector<bool>& closed,
-             const std::vector<PairLinks>& pairs)
-        : elements_(elements),
-          closed_(closed),
-          total_(link_density(elements, pairs, false)),
-          sampled_(link_density(elements, pairs, true)) {
+             const Density& exact, const std::vector<PairLinks>& pairs)
+        : elements_(elements), closed_(closed), sampled_(link_density(elements, pairs, true)) {
         for (std::size_t e = 0; e < elements.size(); ++e) {
             const CellTree& tree = elements[e].space.tree();
             const std::uint32_t first = tree.positions() - tree.functions();
             missing_.emplace_back(tree.positions(), 0.0);
             for (std::uint32_t p = first; p < tree.positions(); ++p) {
-                const double lacks = 1 - total_[e][p];
+                const double lacks = 1 - exact[e][p] - sampled_[e][p];
                 const bool is_buried =
                     !elements[e].open.empty() && elements[e].open[p - first] == 0;
                 if (!is_buried)
@@ -127,7 +128,6 @@ class Deficits {
 
     const std::vector<Element>& elements_;
     const std::vector<bool>& closed_;
-    Density total_;
     Density sampled_;
     Density missing_;
 };
@@ -142,9 +142,10 @@ ClosureReport close_links(const std::vector<Element>& elements, const std::vecto
         for (const LinkValue& link : pair.links)
             sampled_exchange.back().push_back(link.exchange);
     }
+    const Density exact = link_density(elements, pairs, false);
     ClosureReport report;
     for (;; ++report.sweeps) {
-        const Deficits deficits(elements, closed, pairs);
+        const Deficits deficits(elements, closed, exact, pairs);
         if (report.sweeps == 0) report.deficit_before = deficits.rms();
         report.deficit_after = deficits.rms();
         if (report.sweeps == options.sweeps || deficits.largest() <= options.target) return report;
@@ -167,7 +168,10 @@ ClosureReport close_links(const std::vector<Element>& elements, const std::vecto
 std::vector<std::vector<double>> row_sums(const std::vector<Element>& elements,
                                           const std::vector<PairLinks>& pairs) {
     Density total = link_density(elements, pairs, false);
+    const Density sampled = link_density(elements, pairs, true);
     for (std::size_t e = 0; e < elements.size(); ++e) {
+        for (std::size_t p = 0; p < total[e].size(); ++p)
+            total[e][p] += sampled[e][p];
         const std::uint32_t finest = elements[e].space.tree().functions();
         total[e].erase(total[e].begin(), total[e].end() - static_cast<std::ptrdiff_t>(finest));
     }

@@ -8,7 +8,7 @@ namespace lightwell {
 
 /// How the closure repair works.
 struct ClosureOptions {
-    int sweeps = 40;       ///< at most
+    int sweeps = 16;       ///< at most
     double target = 1e-6;  ///< stop when no cell is off by more than this share of its hemisphere
     double most_change =
         2;  ///< no link ends up larger or smaller than it was by more than this factor
