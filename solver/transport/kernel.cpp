@@ -19,6 +19,18 @@ constexpr std::array<double, 8> gauss_weight = {
     0.050614268145188130, 0.11119051722668724, 0.15685332293894364, 0.18134189168918099,
     0.18134189168918099,  0.15685332293894364, 0.11119051722668724, 0.050614268145188130};
 
+/// Sixteen-point Gauss-Legendre rule on [0,1].
+constexpr std::array<double, 16> fine_node = {
+    0.0052995325041750333, 0.02771248846338371, 0.067184398806084122, 0.12229779582249849,
+    0.19106187779867811,   0.27099161117138632, 0.35919822461037054,  0.45249374508118129,
+    0.54750625491881877,   0.64080177538962946, 0.72900838882861374,  0.80893812220132189,
+    0.87770220417750155,   0.93281560119391582, 0.9722875115366163,   0.99470046749582497};
+constexpr std::array<double, 16> fine_weight = {
+    0.013576229705877048, 0.031126761969323947, 0.047579255841246393, 0.062314485627766938,
+    0.074797994408288368, 0.084578259697501268, 0.091301707522461792, 0.094725305227534251,
+    0.094725305227534251, 0.091301707522461792, 0.084578259697501268, 0.074797994408288368,
+    0.062314485627766938, 0.047579255841246393, 0.031126761969323947, 0.013576229705877048};
+
 /// Antiderivative in u of ln sqrt(u^2 + h^2).
 double log_distance(double u, double h) {
     const double square = u * u + h * h;
@@ -91,11 +103,10 @@ double over_skew_edges(const Edge& a, const Edge& b) {
     for (std::size_t piece = 0; piece + 1 < stop.size(); ++piece) {
         const double width = stop[piece + 1] - stop[piece];
         if (width <= 1e-9 * a.length) continue;
-        for (std::size_t k = 0; k < gauss_node.size(); ++k) {
-            const double w = gauss_node[k];
+        for (std::size_t k = 0; k < fine_node.size(); ++k) {
+            const double w = fine_node[k];
             const double s = stop[piece] + width * w * w * (3 - 2 * w);
-            sum +=
-                gauss_weight[k] * width * 6 * w * (1 - w) * log_potential(a.from + s * a.unit, b);
+            sum += fine_weight[k] * width * 6 * w * (1 - w) * log_potential(a.from + s * a.unit, b);
         }
     }
     return sum;

@@ -1,6 +1,7 @@
 #include "solver/transport/shaft.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lightwell {
@@ -78,27 +79,32 @@ bool Shaft::may_be_cut_by(const Quad& quad) const {
 }
 
 bool Shaft::is_covered_by(const Quad& quad) const {
-    // The quad's plane must part the facets; then the shaft's section with that plane is the hull
-    // of the points where the segments between vertices cross it, and a convex quad that holds all
-    // of them holds the section.
+    // The quad's plane must part the facets, which may touch it; then the shaft's section with that
+    // plane is the hull of the points where the segments between vertices cross it, and a convex
+    // quad that holds all of them holds the section.
     const Vec3 n = quad.normal();
     const double d = n.dot(quad.vertex[0]);
     double low_x = std::numeric_limits<double>::infinity(), high_x = -low_x;
     double low_y = low_x, high_y = high_x;
     extent(x_.vertex, x_.count, n, low_x, high_x);
     extent(y_.vertex, y_.count, n, low_y, high_y);
-    const bool parted = (high_x < d - tolerance_ && low_y > d + tolerance_) ||
-                        (low_x > d + tolerance_ && high_y < d - tolerance_);
-    if (!parted) return false;
+    const double below = d - tolerance_, above = d + tolerance_;
+    const bool x_behind = low_x < below && high_x <= above && low_y >= below && high_y > above;
+    const bool y_behind = low_y < below && high_y <= above && low_x >= below && high_x > above;
+    if (!x_behind && !y_behind) return false;
     for (std::size_t k = 0; k < 4; ++k) {
-        const Vec3 inward = n.cross(quad.vertex[(k + 1) % 4] - quad.vertex[k]);
-        const double bound = inward.dot(quad.vertex[k]);
+        const Vec3 inward = n.cross(quad.vertex[(k + 1) % 4] - quad.vertex[k]).normalized();
+        const double bound = inward.dot(quad.vertex[k]) - tolerance_;
+        const auto is_inside = [&](const Vec3& point) { return inward.dot(point) >= bound; };
         for (int i = 0; i < x_.count; ++i) {
             for (int j = 0; j < y_.count; ++j) {
-                const double from = n.dot(x_.vertex[i]) - d, to = n.dot(y_.vertex[j]) - d;
-                const Vec3 crossing =
-                    x_.vertex[i] + (from / (from - to)) * (y_.vertex[j] - x_.vertex[i]);
-                if (inward.dot(crossing) < bound) return false;
+                const Vec3 &p = x_.vertex[i], &q = y_.vertex[j];
+                const double from = n.dot(p) - d, to = n.dot(q) - d;
+                // A segment in the plane crosses it everywhere.
+                const bool along = std::abs(from) <= tolerance_ && std::abs(to) <= tolerance_;
+                if (along ? !(is_inside(p) && is_inside(q))
+                          : !is_inside(p + std::clamp(from / (from - to), 0.0, 1.0) * (q - p)))
+                    return false;
             }
         }
     }
