@@ -62,9 +62,9 @@ Settings settings_for(const PrecomputeOptions& options, double distance, std::si
     settings.cell_size =
         options.cell_size.value_or(0.09 * distance * std::pow(options.error / 0.05, 0.35));
     const double crowding =
-        std::pow(16.0 / static_cast<double>(std::max<std::size_t>(elements, 16)), 0.25);
+        std::pow(16.0 / static_cast<double>(std::max<std::size_t>(elements, 16)), 0.15);
     const double tolerance = options.oracle == OracleKind::geometric
-                                 ? 0.04 * options.error * options.error * crowding
+                                 ? 1e-4 * std::pow(options.error / 0.05, 1.5) * crowding
                                  : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
     settings.truncation = options.truncation.value_or(0.33 * options.error);
@@ -295,7 +295,8 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
 
     // 3. Energy: what sampled links lack in closed surroundings.
     std::vector<bool> closed = ground.closed;
-    report.closure = close_links(elements, closed, {}, pairs);
+    progress.say("closure", 0);
+    report.closure = close_links(elements, closed, {}, pairs, progress);
     drop_unlinked(elements, closed, pairs, report.blind_sides);
     clock.lap("closure");
 
@@ -313,7 +314,7 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
             ground.scene.material_of(transport.space.element(e).quad).reflectance.mean();
     const LightEnsemble ensemble =
         light_ensemble(transport.space, ground.quads, ground.occluders, ground.positions,
-                       mean_bounce(transport.space.elements(), pairs), albedo);
+                       mean_bounce(transport.space.elements(), pairs), albedo, progress);
     clock.lap("ensemble");
     transport.bounce =
         truncated(transport.space, closed, coefficients, ensemble.total,
@@ -346,18 +347,19 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     for (report.attempts = 1;; ++report.attempts) {
         transport = build(ground, options, settings, progress, cost, clock, report);
         if (options.most_attempts == 0) break;
-        progress.check();
 
         // 6. Is it good enough?
         EstimateOptions judge;
         judge.noise = std::clamp(options.error, 0.03, 0.05);
         judge.points = judged_points(scene);
         estimate = estimate_error(transport, ground.quads, ground.occluders, ground.visibility,
-                                  ground.unseen, judge);
+                                  ground.unseen, judge, progress);
         report.estimate_rays += estimate.rays;
         clock.lap("estimate");
         const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
-        if (estimate.ninth_of_ten() <= options.error || by_hand ||
+        // Counted in links and not in seconds, so that the result is the same on every machine.
+        const bool too_much = transport.provenance.links > options.most_links / 2;
+        if (estimate.ninth_of_ten() <= options.error || by_hand || too_much ||
             report.attempts == options.most_attempts)
             break;
         tighten(options, estimate.ninth_of_ten() / options.error, settings);

@@ -29,6 +29,8 @@ struct PrecomputeOptions {
     std::uint64_t max_memory = std::uint64_t{8} << 30;
     /// Operators that may be built; 0 builds one and does not judge it.
     int most_attempts = 3;
+    /// Links beyond which no further attempt is made: each about doubles them.
+    std::uint64_t most_links = 12'000'000;
 };
 
 /// What it did and cost.

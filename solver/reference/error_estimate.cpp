@@ -45,7 +45,8 @@ double ErrorEstimate::ninth_of_ten() const {
 
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
                              const OccluderTree& occluders, const Visibility& visibility,
-                             const std::vector<Vec3>& positions, const EstimateOptions& options) {
+                             const std::vector<Vec3>& positions, const EstimateOptions& options,
+                             const Progress& progress) {
     Scene dark = transport.scene;
     for (Material& material : dark.materials)
         material.emission = Rgb::Zero();
@@ -53,6 +54,8 @@ ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector
     ErrorEstimate estimate;
     Rgb stored_flux = Rgb::Zero(), solved_flux = Rgb::Zero();
     for (std::size_t k = 0; k < positions.size(); ++k) {
+        progress.check();
+        progress.say("estimate", static_cast<double>(k) / static_cast<double>(positions.size()));
         PointLight light;
         light.position = positions[k];
         light.intensity = Rgb::Ones();

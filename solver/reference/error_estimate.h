@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiance4d/operator/global_transport.h"
+#include "radiance4d/progress.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
 #include "solver/reference/surface_points.h"
@@ -36,6 +37,7 @@ struct ErrorEstimate {
 /// Judges the operator for white unit lights at the given positions, one at a time, emitters off.
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
                              const OccluderTree& occluders, const Visibility& visibility,
-                             const std::vector<Vec3>& positions, const EstimateOptions& options);
+                             const std::vector<Vec3>& positions, const EstimateOptions& options,
+                             const Progress& progress);
 
 }  // namespace lightwell

@@ -27,13 +27,14 @@ Eigen::ArrayXd mean_indirect(const SymmetricOperator& mean_bounce,
 LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>& quads,
                              const OccluderTree& occluders, const std::vector<Vec3>& positions,
                              const SymmetricOperator& mean_bounce,
-                             const Eigen::ArrayXd& reflectance) {
+                             const Eigen::ArrayXd& reflectance, const Progress& progress) {
     const auto n = static_cast<Eigen::Index>(space.functions());
     LightEnsemble ensemble{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
     std::vector<Eigen::ArrayXd> direct, total;
     std::vector<double> norm;
     double squares = 0;
     for (const Vec3& position : positions) {
+        progress.check();
         PointLight light;
         light.position = position;
         light.intensity = Rgb::Ones();

@@ -4,6 +4,7 @@
 
 #include "radiance4d/operator/radiance_field.h"
 #include "radiance4d/operator/transport_operator.h"
+#include "radiance4d/progress.h"
 #include "radiance4d/scene/occluder_tree.h"
 
 namespace lightwell {
@@ -25,6 +26,6 @@ struct LightEnsemble {
 LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>& quads,
                              const OccluderTree& occluders, const std::vector<Vec3>& positions,
                              const SymmetricOperator& mean_bounce,
-                             const Eigen::ArrayXd& reflectance);
+                             const Eigen::ArrayXd& reflectance, const Progress& progress);
 
 }  // namespace lightwell

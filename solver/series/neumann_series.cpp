@@ -78,13 +78,15 @@ Sparse truncated(const Sparse& matrix, const TruncationRule& rule) {
     return result;
 }
 
-Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule& rule) {
+Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule& rule,
+                         const Progress& progress) {
     const auto n = static_cast<std::size_t>(a.rows());
     std::vector<Column> columns(n);
     tbb::enumerable_thread_specific<Accumulator> accumulators([n] {
         return Accumulator{std::vector<double>(n, 0.0), std::vector<char>(n, 0), {}};
     });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 16), [&](const auto& range) {
+        progress.check();
         Accumulator& sum = accumulators.local();
         for (std::size_t j = range.begin(); j != range.end(); ++j) {
             for (Sparse::InnerIterator ib(b, static_cast<Eigen::Index>(j)); ib; ++ib)
@@ -115,9 +117,9 @@ NeumannSeries neumann_series(const Sparse& transport, const TruncationRule& rule
     const double smallest = std::max(rule.threshold, 1e-9 * largest_weighted(power, rule));
     for (int doubling = 0; doubling < most_doublings; ++doubling) {
         if (!(largest_weighted(power, rule) > smallest)) break;
-        progress.check();
-        const Sparse next = truncated_product(power, series.sum, rule);
-        power = truncated_product(power, power, rule);
+        progress.say("series", static_cast<double>(doubling) / most_doublings);
+        const Sparse next = truncated_product(power, series.sum, rule, progress);
+        power = truncated_product(power, power, rule, progress);
         series.sum = truncated(series.sum + next, rule);
         series.bounces *= 2;
     }

@@ -30,7 +30,8 @@ Eigen::SparseMatrix<double> truncated(const Eigen::SparseMatrix<double>& matrix,
 /// times slower on such matrices even on one thread.)
 Eigen::SparseMatrix<double> truncated_product(const Eigen::SparseMatrix<double>& a,
                                               const Eigen::SparseMatrix<double>& b,
-                                              const TruncationRule& rule);
+                                              const TruncationRule& rule,
+                                              const Progress& progress = {});
 
 /// H = T + T^2 + ..., and how far it went.
 struct NeumannSeries {

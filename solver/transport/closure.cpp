@@ -135,7 +135,8 @@ class Deficits {
 }  // namespace
 
 ClosureReport close_links(const std::vector<Element>& elements, const std::vector<bool>& closed,
-                          const ClosureOptions& options, std::vector<PairLinks>& pairs) {
+                          const ClosureOptions& options, std::vector<PairLinks>& pairs,
+                          const Progress& progress) {
     std::vector<std::vector<double>> sampled_exchange;
     for (const PairLinks& pair : pairs) {
         sampled_exchange.emplace_back();
@@ -145,6 +146,7 @@ ClosureReport close_links(const std::vector<Element>& elements, const std::vecto
     const Density exact = link_density(elements, pairs, false);
     ClosureReport report;
     for (;; ++report.sweeps) {
+        progress.check();
         const Deficits deficits(elements, closed, exact, pairs);
         if (report.sweeps == 0) report.deficit_before = deficits.rms();
         report.deficit_after = deficits.rms();

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "radiance4d/progress.h"
 #include "solver/transport/link.h"
 
 namespace lightwell {
@@ -29,8 +30,10 @@ struct ClosureReport {
 /// van Leersum 1989 on enforcing the closure relation). Exact links are left alone.
 ///
 /// @param closed by element: whether nothing escapes from it
+/// @throws Interrupted if the progress says so
 ClosureReport close_links(const std::vector<Element>& elements, const std::vector<bool>& closed,
-                          const ClosureOptions& options, std::vector<PairLinks>& pairs);
+                          const ClosureOptions& options, std::vector<PairLinks>& pairs,
+                          const Progress& progress = {});
 
 /// Sum of form factors from each finest cell of each element to everything: 1 where nothing
 /// escapes.

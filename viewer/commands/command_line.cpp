@@ -167,8 +167,10 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
         *command, "--view", "VIEW",
         "total (default), direct, indirect, lux (false colour), level (the wavelet mesh)",
         [&request](const std::string& text) { request.view = view_argument("--view", text); });
-    command->add_flag("--gather", request.gather,
-                      "gather the indirect light of every cell once more: slower and more even");
+    command->add_flag_callback(
+        "--no-gather", [&request] { request.gather = false; },
+        "show indirect light as the basis holds it, without gathering it once more at every cell: "
+        "faster, less even");
     add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
               [&request](const std::string& text) {
                   request.samples = whole_argument("--samples", text, 1, 16);

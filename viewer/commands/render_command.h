@@ -30,7 +30,7 @@ struct RenderRequest {
     double exposure = 0;  ///< of a PNG [EV], beside the automatic one
     int samples = 2;      ///< a side in every pixel
     View view = View::total;
-    bool gather = false;  ///< gather the indirect light of every cell once more
+    bool gather = true;  ///< gather the indirect light of every cell once more
 };
 
 /// Renders a picture into a file, without a display. A PNG is exposed and toned for a screen; an
