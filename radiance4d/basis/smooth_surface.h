@@ -12,7 +12,7 @@ namespace lightwell {
 ///
 /// Piecewise parabolic reconstruction (Colella and Woodward 1984) along u and then v: fourth-order
 /// values at the interfaces between cells from the means of four, kept between the two neighbours'
-/// means so that no new extremum appears; at the rim one-sided, kept within one step of
+/// means; at the rim one-sided, kept within one step of
 /// extrapolation. In each cell the biquadratic with these edge values and the cell's mean. Means
 /// over (u,v) are preserved wherever the function is not clamped to be >= 0.
 class SmoothSurface {

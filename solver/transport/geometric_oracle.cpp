@@ -63,7 +63,8 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
         for (int j = 0; j < children.senders; ++j) {
             const double open = link.receiver->space.area(children.receiver[i]) *
                                 link.sender->space.area(children.sender[j]);
-            strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * open / sum : even);
+            strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * open / sum
+                                                     : even * open / (area_x[i] * area_y[j]));
             shared += strata.exchange[i][j];
         }
     }
@@ -131,9 +132,8 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
     const int strata_count = children.receivers * children.senders;
     const double softening =
         softening_share * std::min(link.receiver_facet.reach(), link.sender_facet.reach());
-    const StratifiedSamples samples =
-        sample_strata(link, children, (rays + strata_count - 1) / strata_count, softening,
-                      visibility_, cost);
+    const StratifiedSamples samples = sample_strata(
+        link, children, (rays + strata_count - 1) / strata_count, softening, visibility_, cost);
     if (samples.highest == 0) return {Verdict::Act::drop, 0};
     share(whole, link, children, samples.kernel, samples.visible, strata);
     strata.sampled = true;
