@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "radiance4d/atomic_file.h"
@@ -78,6 +79,15 @@ void run_precompute(const PrecomputeRequest& request) {
     transport.provenance.program = "lightwell " LIGHTWELL_VERSION;
     timed(report.seconds, "writing",
           [&] { write_operator_file(request.output, transport, options_json(request.options)); });
+
+    // Said even where only the object is wanted: a number that was asked for and not reached is not
+    // for small print.
+    const Provenance& provenance = transport.provenance;
+    if (provenance.error_estimated > provenance.error_asked)
+        print_message(fmt::format(
+            "warning: {} was not reached: asked for an error of {:.3g} %, estimated {:.2g} %. The "
+            "final gather of measure and render does better; see Limits in the README.",
+            request.output, 100 * provenance.error_asked, 100 * provenance.error_estimated));
 
     const PrecomputeOutcome outcome{transport, report, request.output,
                                     std::filesystem::file_size(request.output)};
