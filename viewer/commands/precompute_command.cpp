@@ -84,10 +84,11 @@ void run_precompute(const PrecomputeRequest& request) {
     // for small print.
     const Provenance& provenance = transport.provenance;
     if (provenance.error_estimated > provenance.error_asked)
-        print_message(fmt::format(
-            "warning: {} was not reached: asked for an error of {:.3g} %, estimated {:.2g} %. The "
-            "final gather of measure and render does better; see Limits in the README.",
-            request.output, 100 * provenance.error_asked, 100 * provenance.error_estimated));
+        print_message(
+            fmt::format("warning: the error asked for was not reached: {:.3g} % asked, {:.2g} % "
+                        "estimated. The final "
+                        "gather of measure and render does better.",
+                        100 * provenance.error_asked, 100 * provenance.error_estimated));
 
     const PrecomputeOutcome outcome{transport, report, request.output,
                                     std::filesystem::file_size(request.output)};
