@@ -102,10 +102,6 @@ std::vector<Coefficient> direct_transport(const RadianceSpace& space,
 
 namespace {
 
-/// Most that a coefficient changes, as a share of itself, to bear what its row lost: a row that
-/// kept next to nothing cannot make up for everything.
-constexpr double most_change = 0.5;
-
 /// For every basis function, what the operator makes of uniform light, by way of the columns (or
 /// rows, it is symmetric) of whole elements: sum_s m_rs sqrt(A_s).
 Eigen::ArrayXd response_to_uniform(const RadianceSpace& space, const std::vector<bool>& is_mean,
@@ -176,9 +172,7 @@ SymmetricOperator truncated(const RadianceSpace& space, const std::vector<bool>&
             double value = static_cast<double>(c.value);
             if (is_mean[c.row] != is_mean[c.column]) {
                 const std::uint32_t detail = is_mean[c.column] ? c.row : c.column;
-                if (carried[detail] > 0)
-                    value *= 1 + std::clamp(lost[detail] * value / carried[detail], -most_change,
-                                            most_change);
+                if (carried[detail] > 0) value += lost[detail] * value * value / carried[detail];
             }
             upper.row.push_back(c.row);
             upper.value.push_back(static_cast<float>(value));
