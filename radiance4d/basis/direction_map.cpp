@@ -42,6 +42,13 @@ Vec2 square_from_direction(const Vec3& direction) {
     return (0.5 * (ab.array() + 1)).matrix();
 }
 
+Vec3 spiral_direction(int k, int n) {
+    const double golden_angle = M_PI * (3 - std::sqrt(5.0));
+    const double z = 1 - (2 * k + 1.0) / n;
+    const double radius = std::sqrt(1 - z * z);
+    return {radius * std::cos(golden_angle * k), radius * std::sin(golden_angle * k), z};
+}
+
 Eigen::Matrix3d local_frame(const Quad& quad) {
     Eigen::Matrix3d frame;
     const Vec3 z = quad.normal();

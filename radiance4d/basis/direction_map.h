@@ -14,6 +14,9 @@ Vec3 direction_from_square(const Vec2& st);
 /// Inverse of direction_from_square for unit directions with z >= 0.
 Vec2 square_from_direction(const Vec3& direction);
 
+/// Direction k of n on the spherical Fibonacci spiral (Keinert et al. 2015): even over the sphere.
+Vec3 spiral_direction(int k, int n);
+
 /// The orthonormal frame of a quad: columns x (along x_u), y, z (the normal).
 Eigen::Matrix3d local_frame(const Quad& quad);
 

@@ -8,20 +8,13 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "radiance4d/basis/direction_map.h"
 #include "solver/reference/light_sources.h"
 #include "solver/reference/random_stream.h"
 
 namespace lightwell {
 
 namespace {
-
-/// Direction k of n on a Fibonacci spiral over the sphere.
-Vec3 spiral_direction(int k, int n) {
-    const double golden_angle = M_PI * (3 - std::sqrt(5.0));
-    const double z = 1 - (2 * k + 1.0) / n;
-    const double across = std::sqrt(1 - z * z);
-    return {across * std::cos(k * golden_angle), across * std::sin(k * golden_angle), z};
-}
 
 bool clear_of_surfaces(const Scene& scene, const Vec3& position, double clearance) {
     return std::all_of(scene.quads.begin(), scene.quads.end(), [&](const SceneQuad& one) {

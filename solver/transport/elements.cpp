@@ -4,17 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "radiance4d/basis/direction_map.h"
+
 namespace lightwell {
 
 namespace {
-
-/// Direction k of n on the spherical Fibonacci spiral (Keinert et al. 2015): even over the sphere.
-Vec3 spiral_direction(int k, int n) {
-    const double golden_angle = M_PI * (3 - std::sqrt(5.0));
-    const double z = 1 - (2 * k + 1.0) / n;
-    const double radius = std::sqrt(1 - z * z);
-    return {radius * std::cos(golden_angle * k), radius * std::sin(golden_angle * k), z};
-}
 
 /// Whether any quad reaches in front of the plane of `side`.
 bool has_company(const Quad& side, const std::vector<SceneQuad>& quads) {
