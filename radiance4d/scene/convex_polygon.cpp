@@ -77,6 +77,14 @@ double ConvexPolygon::extent() const {
     return std::sqrt(squared);
 }
 
+double ConvexPolygon::reach() const {
+    const Vec3 middle = centre();
+    double squared = 0;
+    for (const Vec3& vertex : *this)
+        squared = std::max(squared, (vertex - middle).squaredNorm());
+    return std::sqrt(squared);
+}
+
 ConvexPolygon ConvexPolygon::moved(const Vec3& by) const {
     ConvexPolygon result;
     for (const Vec3& vertex : *this)

@@ -50,6 +50,8 @@ class ConvexPolygon {
     Vec3 centre() const;
     /// Largest distance of a vertex from the first one [m]: at least half the diameter.
     double extent() const;
+    /// Largest distance of a vertex from the centre [m]; the polygon must not be empty.
+    double reach() const;
 
     /// The same polygon shifted.
     ConvexPolygon moved(const Vec3& by) const;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 namespace lightwell {
 
 namespace {
@@ -112,38 +114,50 @@ double over_skew_edges(const Edge& a, const Edge& b) {
     return sum;
 }
 
-int edges_of(const Facet& facet, const Vec3& origin, double scale, std::array<Edge, 8>& edges) {
+using Edges = std::array<Edge, ConvexPolygon::capacity>;
+
+int edges_of(const ConvexPolygon& polygon, const Vec3& origin, double scale, Edges& edges) {
     int n = 0;
-    for (int i = 0; i < facet.count; ++i) {
-        const Vec3 way = (facet.vertex[(i + 1) % facet.count] - facet.vertex[i]) / scale;
+    for (int i = 0; i < polygon.size(); ++i) {
+        const Vec3 way = (polygon.after(i) - polygon[i]) / scale;
         const double length = way.norm();
-        if (length > 0) edges[n++] = {(facet.vertex[i] - origin) / scale, way / length, length};
+        if (length > 0) edges[n++] = {(polygon[i] - origin) / scale, way / length, length};
     }
     return n;
 }
 
-/// Points and weights [m2] of a rule of degree 3 on a quad, degree 2 on other polygons.
-int quadrature(const Facet& facet, std::array<Vec3, 24>& point, std::array<double, 24>& weight) {
-    int n = 0;
-    if (facet.count == 4) {
-        const Quad quad{{facet.vertex[0], facet.vertex[1], facet.vertex[2], facet.vertex[3]}};
+/// Points [m] and their weights [m2]: three for every triangle of a fan.
+struct Quadrature {
+    static constexpr int capacity = 3 * (ConvexPolygon::capacity - 2);
+
+    std::array<Vec3, capacity> point;
+    std::array<double, capacity> weight;
+    int size = 0;
+
+    void append(const Vec3& at, double area) {
+        point[size] = at;
+        weight[size++] = area;
+    }
+};
+
+/// A rule of degree 3 on a quad, of degree 2 on other polygons.
+Quadrature quadrature(const ConvexPolygon& polygon) {
+    Quadrature rule;
+    if (polygon.size() == 4) {
+        const Quad quad{{polygon[0], polygon[1], polygon[2], polygon[3]}};
         constexpr double low = 0.21132486540518713, high = 0.78867513459481287;
         for (const double v : {low, high})
-            for (const double u : {low, high}) {
-                point[n] = quad.point(u, v);
-                weight[n++] = 0.25 * quad.jacobian(u, v);
-            }
-        return n;
+            for (const double u : {low, high})
+                rule.append(quad.point(u, v), 0.25 * quad.jacobian(u, v));
+        return rule;
     }
-    for (int i = 2; i < facet.count; ++i) {
-        const std::array<Vec3, 3> corner = {facet.vertex[0], facet.vertex[i - 1], facet.vertex[i]};
-        const Facet triangle{{corner[0], corner[1], corner[2]}, 3, facet.normal};
-        for (int k = 0; k < 3; ++k) {
-            point[n] = (4 * corner[k] + corner[(k + 1) % 3] + corner[(k + 2) % 3]) / 6;
-            weight[n++] = triangle.area() / 3;
-        }
+    for (int i = 2; i < polygon.size(); ++i) {
+        const std::array<Vec3, 3> corner = {polygon[0], polygon[i - 1], polygon[i]};
+        const double area = 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+        for (int k = 0; k < 3; ++k)
+            rule.append((4 * corner[k] + corner[(k + 1) % 3] + corner[(k + 2) % 3]) / 6, area / 3);
     }
-    return n;
+    return rule;
 }
 
 }  // namespace
@@ -161,7 +175,7 @@ double exchange_area_by_contour(const Facet& x, const Facet& y) {
     // cancel.
     const Vec3 origin = x.centre();
     const double scale = x.reach() + y.reach() + (y.centre() - origin).norm();
-    std::array<Edge, 8> edge_x, edge_y;
+    Edges edge_x, edge_y;
     const int nx = edges_of(x, origin, scale, edge_x), ny = edges_of(y, origin, scale, edge_y);
     double sum = 0;
     for (int i = 0; i < nx; ++i) {
@@ -177,15 +191,14 @@ double exchange_area_by_contour(const Facet& x, const Facet& y) {
 }
 
 double exchange_area_by_points(const Facet& x, const Facet& y) {
-    std::array<Vec3, 24> point_x, point_y;
-    std::array<double, 24> weight_x, weight_y;
-    const int nx = quadrature(x, point_x, weight_x), ny = quadrature(y, point_y, weight_y);
+    const Quadrature rule_x = quadrature(x), rule_y = quadrature(y);
     double sum = 0;
-    for (int i = 0; i < nx; ++i) {
+    for (int i = 0; i < rule_x.size; ++i) {
         double inner = 0;
-        for (int j = 0; j < ny; ++j)
-            inner += weight_y[j] * kernel(point_x[i], x.normal, point_y[j], y.normal);
-        sum += weight_x[i] * inner;
+        for (int j = 0; j < rule_y.size; ++j)
+            inner +=
+                rule_y.weight[j] * kernel(rule_x.point[i], x.normal, rule_y.point[j], y.normal);
+        sum += rule_x.weight[i] * inner;
     }
     return sum;
 }

@@ -9,10 +9,9 @@ namespace lightwell {
 namespace {
 
 /// Lowest and highest n.v over the vertices.
-template <typename Vertices>
-void extent(const Vertices& vertices, int count, const Vec3& n, double& lowest, double& highest) {
-    for (int i = 0; i < count; ++i) {
-        const double height = n.dot(vertices[static_cast<std::size_t>(i)]);
+void extent(const ConvexPolygon& polygon, const Vec3& n, double& lowest, double& highest) {
+    for (const Vec3& vertex : polygon) {
+        const double height = n.dot(vertex);
         lowest = std::min(lowest, height);
         highest = std::max(highest, height);
     }
@@ -20,10 +19,10 @@ void extent(const Vertices& vertices, int count, const Vec3& n, double& lowest, 
 
 Eigen::AlignedBox3d bounds_of(const Facet& x, const Facet& y) {
     Eigen::AlignedBox3d box;
-    for (int i = 0; i < x.count; ++i)
-        box.extend(x.vertex[i]);
-    for (int i = 0; i < y.count; ++i)
-        box.extend(y.vertex[i]);
+    for (const Vec3& vertex : x)
+        box.extend(vertex);
+    for (const Vec3& vertex : y)
+        box.extend(vertex);
     return box;
 }
 
@@ -34,26 +33,26 @@ Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y), region_(bounds_of(x
     tolerance_ = 1e-9 * size;
 
     // Rays leave to the front of both facets.
-    region_.cut({x.normal, x.normal.dot(x.vertex[0])});
-    region_.cut({y.normal, y.normal.dot(y.vertex[0])});
+    region_.cut({x.normal, x.normal.dot(x[0])});
+    region_.cut({y.normal, y.normal.dot(y[0])});
 
     // Sides of the hull: planes through an edge of one facet and a vertex of the other with both
     // facets on one side. A hull of two facets of up to eight vertices has no more sides than the
     // region holds planes; a plane found twice, by way of two coplanar vertices, only counts once.
     int sides = 2;
     const auto add_sides = [&](const Facet& a, const Facet& b) {
-        for (int i = 0; i < a.count; ++i) {
-            const Vec3& start = a.vertex[i];
-            const Vec3 edge = a.vertex[(i + 1) % a.count] - start;
-            for (int j = 0; j < b.count; ++j) {
-                Vec3 n = edge.cross(b.vertex[j] - start);
+        for (int i = 0; i < a.size(); ++i) {
+            const Vec3& start = a[i];
+            const Vec3 edge = a.after(i) - start;
+            for (int j = 0; j < b.size(); ++j) {
+                Vec3 n = edge.cross(b[j] - start);
                 const double length = n.norm();
                 if (!(length > 1e-12 * edge.norm() * size)) continue;
                 n /= length;
                 const double d = n.dot(start);
                 double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-                extent(a.vertex, a.count, n, lowest, highest);
-                extent(b.vertex, b.count, n, lowest, highest);
+                extent(a, n, lowest, highest);
+                extent(b, n, lowest, highest);
                 const bool below = highest <= d + tolerance_, above = lowest >= d - tolerance_;
                 if ((!below && !above) || sides == ConvexRegion::capacity) continue;
                 region_.cut(below ? Plane{-n, -d} : Plane{n, d});
@@ -73,8 +72,8 @@ bool Shaft::may_be_cut_by(const Quad& quad) const {
     const Vec3 n = quad.normal();
     const double d = n.dot(quad.vertex[0]);
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    extent(x_.vertex, x_.count, n, lowest, highest);
-    extent(y_.vertex, y_.count, n, lowest, highest);
+    extent(x_, n, lowest, highest);
+    extent(y_, n, lowest, highest);
     return lowest < d - tolerance_ && highest > d + tolerance_;
 }
 
@@ -86,8 +85,8 @@ bool Shaft::is_covered_by(const Quad& quad) const {
     const double d = n.dot(quad.vertex[0]);
     double low_x = std::numeric_limits<double>::infinity(), high_x = -low_x;
     double low_y = low_x, high_y = high_x;
-    extent(x_.vertex, x_.count, n, low_x, high_x);
-    extent(y_.vertex, y_.count, n, low_y, high_y);
+    extent(x_, n, low_x, high_x);
+    extent(y_, n, low_y, high_y);
     const double below = d - tolerance_, above = d + tolerance_;
     const bool x_behind = low_x < below && high_x <= above && low_y >= below && high_y > above;
     const bool y_behind = low_y < below && high_y <= above && low_x >= below && high_x > above;
@@ -96,9 +95,9 @@ bool Shaft::is_covered_by(const Quad& quad) const {
         const Vec3 inward = n.cross(quad.vertex[(k + 1) % 4] - quad.vertex[k]).normalized();
         const double bound = inward.dot(quad.vertex[k]) - tolerance_;
         const auto is_inside = [&](const Vec3& point) { return inward.dot(point) >= bound; };
-        for (int i = 0; i < x_.count; ++i) {
-            for (int j = 0; j < y_.count; ++j) {
-                const Vec3 &p = x_.vertex[i], &q = y_.vertex[j];
+        for (int i = 0; i < x_.size(); ++i) {
+            for (int j = 0; j < y_.size(); ++j) {
+                const Vec3 &p = x_[i], &q = y_[j];
                 const double from = n.dot(p) - d, to = n.dot(q) - d;
                 // A segment in the plane crosses it everywhere.
                 const bool along = std::abs(from) <= tolerance_ && std::abs(to) <= tolerance_;

@@ -19,6 +19,7 @@ TEST(ConvexPolygon, MeasuresASquare) {
     EXPECT_LT((square.vector_area() - Vec3::UnitZ()).norm(), 1e-15);
     EXPECT_LT((square.reversed().vector_area() + Vec3::UnitZ()).norm(), 1e-15);
     EXPECT_LT((square.moved(Vec3(1, 2, 3)).centre() - Vec3(1.5, 2.5, 3)).norm(), 1e-15);
+    EXPECT_DOUBLE_EQ(square.moved(Vec3(1, 2, 3)).reach(), std::sqrt(0.5));
     EXPECT_EQ(ConvexPolygon().area(), 0);
 }
 

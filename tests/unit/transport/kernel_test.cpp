@@ -213,9 +213,9 @@ TEST(Facet, PartsInFrontAndBehindMakeTheWhole) {
         const Facet front = whole.in_front_of(n, d, 1e-12), back = whole.in_front_of(-n, -d, 1e-12);
         EXPECT_NEAR(whole.area(), quad.area(), 1e-13);
         EXPECT_NEAR(front.area() + back.area(), whole.area(), 1e-11);
-        for (int i = 0; i < front.count; ++i) {
-            EXPECT_GE(n.dot(front.vertex[i]) - d, -1e-12);
-            EXPECT_NEAR(quad.normal().dot(front.vertex[i] - quad.vertex[0]), 0, 1e-12);
+        for (const Vec3& vertex : front) {
+            EXPECT_GE(n.dot(vertex) - d, -1e-12);
+            EXPECT_NEAR(quad.normal().dot(vertex - quad.vertex[0]), 0, 1e-12);
         }
         if (!front.empty()) {
             EXPECT_TRUE(front.normal == whole.normal);
@@ -238,7 +238,7 @@ TEST(Facet, CanBeCutAgainAndAgain) {
     Facet facet = level(-1, 1, -1, 1, 0, true);
     for (const double angle : {0.7, 2.3, 3.9, 5.5})
         facet = facet.in_front_of({std::cos(angle), std::sin(angle), 0}, -1.2, 1e-12);
-    EXPECT_EQ(facet.count, 8);
+    EXPECT_EQ(facet.size(), 8);
     EXPECT_LT(facet.area(), 4);
     EXPECT_GT(facet.area(), 3.5);
 }

@@ -27,9 +27,9 @@ Quad random_quad(const Vec3& place, double size, Numbers& numbers) {
 Vec3 random_point(const Facet& facet, Numbers& numbers) {
     Vec3 sum = Vec3::Zero();
     double weights = 0;
-    for (int i = 0; i < facet.count; ++i) {
+    for (const Vec3& vertex : facet) {
         const double weight = std::pow(numbers.between(0, 1), 3);
-        sum += weight * facet.vertex[i];
+        sum += weight * vertex;
         weights += weight;
     }
     return sum / weights;
