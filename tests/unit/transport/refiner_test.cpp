@@ -6,6 +6,7 @@
 
 #include "solver/transport/closure.h"
 #include "solver/transport/geometric_oracle.h"
+#include "solver/transport/kernel.h"
 #include "tests/unit/basis/samples.h"
 #include "tests/unit/transport/box.h"
 #include "tests/unit/transport/partition.h"
@@ -165,6 +166,48 @@ TEST(GeometricOracle, RowsComeToOneAsTheToleranceFalls) {
         previous = rms;
     }
     EXPECT_LT(previous, 3e-3);
+}
+
+// Two cells that meet at a right angle, and a speck between them, so that rays decide. The strip of
+// the floor that is farthest from the wall, and exchanges least, is buried: rays from there are
+// drawn again nearer by, and by chance promise more than the two cells, all open and with nothing
+// between, exchange.
+TEST(GeometricOracle, NoiseMakesNoMoreThanThereIs) {
+    const Quad floor{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}};
+    const Quad wall{{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 1, 1), Vec3(0, 0, 1)}};
+    const Quad speck{{Vec3(0.4, 0.5, 0.4), Vec3(0.402, 0.5, 0.402), Vec3(0.402, 0.502, 0.402),
+                      Vec3(0.4, 0.502, 0.4)}};
+    const std::vector<Quad> quads = {floor, wall, speck};
+    const Visibility visibility(quads);
+    GeometricOracleOptions options;
+    options.partial_tolerance = 1;  // not one ray more than these
+    options.rays = 4;
+    const GeometricOracle oracle(options, quads, visibility, 2);
+    std::vector<Element> elements = testing::uniform_elements({floor, wall}, 0);
+    constexpr OpenMask far_strip = 0x8080808080808080;  // the eighth with the highest u
+    elements[0].set_space(CellTree(), {all_open & ~far_strip});
+
+    LinkGeometry link;
+    link.receiver = &elements[0];
+    link.sender = &elements[1];
+    link.receiver_finest = link.sender_finest = true;
+    link.receiver_facet = Facet::of(floor, floor.normal());
+    link.sender_facet = Facet::of(wall, wall.normal());
+    const double whole = exchange_area(link.receiver_facet, link.sender_facet);
+    int at_the_bound = 0;
+    for (std::uint32_t lot = 0; lot < 200; ++lot) {
+        link.link.receiver.element = lot;  // another sequence of samples
+        std::vector<int> occluders = {2};
+        LinkStrata strata;
+        OracleCost cost;
+        const Verdict verdict = oracle.judge(link, occluders, strata, cost);
+        ASSERT_EQ(verdict.act, Verdict::Act::keep);
+        ASSERT_EQ(cost.rays, 4U);
+        EXPECT_LE(strata.exchange[0][0], (1 + 1e-12) * whole);
+        at_the_bound += strata.exchange[0][0] > (1 - 1e-12) * whole ? 1 : 0;
+    }
+    EXPECT_GT(at_the_bound, 0) << "no lot needed the bound: the test says nothing";
+    EXPECT_LT(at_the_bound, 100);
 }
 
 TEST(Refiner, StopsWhenAsked) {
