@@ -6,6 +6,7 @@
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/smooth_irradiance.h"
 #include "solver/reference/path_tracer.h"
+#include "solver/reference/sampling.h"
 
 namespace lightwell {
 
@@ -21,6 +22,22 @@ Rgb shown(const GlobalTransport& transport, const std::vector<SmoothSurface>& ir
     const Vec2 uv = element.geometry.parameters(point.position);
     if (!element.is_open(uv[0], uv[1])) return Rgb::Zero();
     return irradiance[static_cast<std::size_t>(number)].at(uv[0], uv[1]);
+}
+
+/// Whether the point sees a side that takes part in transport, or the open: if not, it lies inside
+/// a solid or under its foot, where no picture shows it.
+bool is_visible(const RadianceSpace& space, const Visibility& visibility,
+                const SurfacePoint& point) {
+    constexpr int looks_along = 4;
+    for (int i = 0; i < looks_along; ++i) {
+        for (int j = 0; j < looks_along; ++j) {
+            const Vec3 direction =
+                cosine_direction(point.normal, {(i + 0.5) / looks_along, (j + 0.5) / looks_along});
+            const Hit hit = visibility.nearest(point.position, point.quad, direction);
+            if (!hit || space.element_on(hit.quad, hit.front) >= 0) return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
@@ -65,8 +82,13 @@ ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector
         const std::vector<SmoothSurface> irradiance =
             smooth_irradiance(transport.space, gathered_light(transport, direct));
 
-        const std::vector<SurfacePoint> points =
+        std::vector<SurfacePoint> points =
             sample_surface(dark, sides, options.points, options.seed + k);
+        points.erase(std::remove_if(points.begin(), points.end(),
+                                    [&](const SurfacePoint& point) {
+                                        return !is_visible(transport.space, visibility, point);
+                                    }),
+                     points.end());
         PathTracing tracing;
         tracing.samples = 64;
         tracing.seed = options.seed + k;

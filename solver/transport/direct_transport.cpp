@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <utility>
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include "solver/transport/sparse_analysis.h"
 
 namespace lightwell {
 
@@ -14,61 +16,66 @@ namespace {
 /// Coefficients smaller than this share of the largest of their pair are rounding.
 constexpr double rounding_share = 1e-14;
 
-/// First and one past the last cell of level `depth` below a cell.
-std::pair<std::uint32_t, std::uint32_t> cells_below(const CellTree& tree, const Cell& cell,
-                                                    int depth) {
-    const std::uint32_t each = tree.cells(depth) / tree.cells(cell.level);
-    return {cell.index * each, (cell.index + 1) * each};
+/// A coefficient half way: receiver still by cell, sender by basis function.
+struct HalfTransformed {
+    std::uint32_t sender_function = 0;
+    SparseValue receiver_cell;
+};
+
+/// Transforms the sender's side of each receiver cell's links. With half-densities, the coefficient
+/// between two cells is exchange / sqrt(A_r A_s).
+std::vector<HalfTransformed> sender_transformed(const Element& x, const Element& y,
+                                                std::vector<LinkValue> links) {
+    std::stable_sort(links.begin(), links.end(), [](const LinkValue& a, const LinkValue& b) {
+        return a.receiver < b.receiver;
+    });
+    SparseAnalysis analyse(y.space);
+    std::vector<HalfTransformed> result;
+    std::vector<SparseValue> cells;
+    for (std::size_t first = 0; first < links.size();) {
+        const std::uint32_t receiver = links[first].receiver;
+        cells.clear();
+        for (; first < links.size() && links[first].receiver == receiver; ++first)
+            cells.push_back(
+                {links[first].sender,
+                 links[first].exchange /
+                     std::sqrt(x.space.area_at(receiver) * y.space.area_at(links[first].sender))});
+        for (const SparseValue& coefficient : analyse(cells))
+            result.push_back({coefficient.index, {receiver, coefficient.value}});
+    }
+    return result;
 }
 
-/// sqrt of the areas of the cells of one level.
-Eigen::ArrayXd root_areas(const HaarBasis& basis, int depth) {
-    Eigen::ArrayXd roots(basis.tree().cells(depth));
-    for (std::uint32_t m = 0; m < basis.tree().cells(depth); ++m)
-        roots[m] = std::sqrt(basis.area({depth, m}));
-    return roots;
-}
-
-/// The block of M between two elements at the depth that its links need, transformed on both sides.
+/// The block of M between two elements, transformed on both sides.
 std::vector<Coefficient> pair_block(const RadianceSpace& space, const PairLinks& pair) {
     const Element& x = space.element(pair.receiver);
     const Element& y = space.element(pair.sender);
-    const CellTree& tree_x = x.space.tree();
-    const CellTree& tree_y = y.space.tree();
-    int depth_x = 0, depth_y = 0;
-    for (const LinkValue& link : pair.links) {
-        depth_x = std::max(depth_x, tree_x.at(link.receiver).level);
-        depth_y = std::max(depth_y, tree_y.at(link.sender).level);
-    }
-
-    // Half-densities: the coefficient between two cells is exchange / sqrt(A_r A_s), spread over
-    // their parts by area.
-    const Eigen::ArrayXd root_x = root_areas(x.space, depth_x);
-    const Eigen::ArrayXd root_y = root_areas(y.space, depth_y);
-    RowMatrix block = RowMatrix::Zero(root_x.size(), root_y.size());
-    for (const LinkValue& link : pair.links) {
-        const Cell cell_x = tree_x.at(link.receiver), cell_y = tree_y.at(link.sender);
-        const auto [x0, x1] = cells_below(tree_x, cell_x, depth_x);
-        const auto [y0, y1] = cells_below(tree_y, cell_y, depth_y);
-        const double density = link.exchange / (x.space.area(cell_x) * y.space.area(cell_y));
-        block.block(x0, y0, x1 - x0, y1 - y0) += density * root_x.segment(x0, x1 - x0).matrix() *
-                                                 root_y.segment(y0, y1 - y0).matrix().transpose();
-    }
-    x.space.analyse(block, depth_x);
-    RowMatrix transposed = block.transpose();
-    y.space.analyse(transposed, depth_y);
-
-    const double smallest = rounding_share * transposed.cwiseAbs().maxCoeff();
+    std::vector<HalfTransformed> half = sender_transformed(x, y, pair.links);
+    std::stable_sort(half.begin(), half.end(),
+                     [](const HalfTransformed& a, const HalfTransformed& b) {
+                         return a.sender_function < b.sender_function;
+                     });
+    SparseAnalysis analyse(x.space);
     std::vector<Coefficient> result;
-    for (Eigen::Index column = 0; column < transposed.rows(); ++column) {
-        for (Eigen::Index row = 0; row < transposed.cols(); ++row) {
-            const double value = transposed(column, row);
-            if (std::abs(value) > smallest)
-                result.push_back({x.first + static_cast<std::uint32_t>(row),
-                                  y.first + static_cast<std::uint32_t>(column),
-                                  static_cast<float>(value)});
+    std::vector<SparseValue> cells;
+    double largest = 0;
+    for (std::size_t first = 0; first < half.size();) {
+        const std::uint32_t sender = half[first].sender_function;
+        cells.clear();
+        for (; first < half.size() && half[first].sender_function == sender; ++first)
+            cells.push_back(half[first].receiver_cell);
+        for (const SparseValue& coefficient : analyse(cells)) {
+            largest = std::max(largest, std::abs(coefficient.value));
+            result.push_back({x.first + coefficient.index, y.first + sender,
+                              static_cast<float>(coefficient.value)});
         }
     }
+    const double smallest = rounding_share * largest;
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [smallest](const Coefficient& c) {
+                                    return std::abs(static_cast<double>(c.value)) <= smallest;
+                                }),
+                 result.end());
     return result;
 }
 
@@ -94,7 +101,7 @@ std::vector<Coefficient> direct_transport(const RadianceSpace& space,
         all.insert(all.end(), block.begin(), block.end());
         std::vector<Coefficient>().swap(block);
     }
-    std::sort(all.begin(), all.end(), [](const Coefficient& a, const Coefficient& b) {
+    tbb::parallel_sort(all.begin(), all.end(), [](const Coefficient& a, const Coefficient& b) {
         return a.column != b.column ? a.column < b.column : a.row < b.row;
     });
     return all;

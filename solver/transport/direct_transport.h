@@ -18,9 +18,8 @@ struct Coefficient {
 
 /// The colourless geometric operator M in the standard decomposition, all its coefficients: <b_r, M
 /// b_s> with M = Int F V, so that a single bounce is T = M diag(rho) (WRT eq. 3 for diffuse
-/// surfaces). Links of each pair of elements are spread to the finest cells they refer to, and both
-/// sides transformed: coefficients of coarse supports are the exact transform of finer ones, never
-/// sampled anew (WRT section 4.3.1).
+/// surfaces). The links of each pair of elements are transformed on both sides: coefficients of
+/// coarse supports are the exact transform of finer ones, never sampled anew (WRT section 4.3.1).
 ///
 /// Ordered by column, then row. Coefficients that are zero to rounding are left out.
 std::vector<Coefficient> direct_transport(const RadianceSpace& space,

@@ -15,9 +15,15 @@ namespace lightwell {
 namespace {
 
 /// Rays that look round from a sample: strata of the angular square along either side.
-constexpr int looks_along = 3;
+constexpr int looks_along = 4;
 /// A neighbour nearer than this share of the cell's size covers a sample rather than lights it.
 constexpr double cover_share = 0.25;
+/// It covers if it is about parallel to the surface: the cosine between their normals is above
+/// this. A wall that stands on the surface does not.
+constexpr double parallel = 0.8;
+/// A sample that sees less than this many of its looks_along^2 rays go free is buried: in the gap
+/// under a lamp's rim it is far darker than the open part whose mean it would be shown.
+constexpr int least_open = 5;
 
 /// Heights below this share of a quad's size are in its plane.
 constexpr double coplanar_share = 1e-6;
@@ -35,9 +41,10 @@ bool holds(const Quad& quad, const Vec3& point) {
 /// Tells open samples of one element from buried ones.
 class SampleTest {
   public:
-    SampleTest(const Element& element, const std::vector<char>& takes_part,
-               const Visibility& visibility)
+    SampleTest(const Element& element, const std::vector<Quad>& quads,
+               const std::vector<char>& takes_part, const Visibility& visibility)
         : element_(element),
+          quads_(quads),
           takes_part_(takes_part),
           visibility_(visibility),
           frame_(local_frame(element.geometry)) {
@@ -54,24 +61,37 @@ class SampleTest {
     void set_covers(std::vector<Quad> covers) { covers_ = std::move(covers); }
     bool is_covered_in_part() const { return !covers_.empty(); }
 
-    bool is_open(double u, double v) {
+    /// Whether any light gets there.
+    bool is_reached(double u, double v) { return sees(u, v, 1); }
+    /// Whether enough of it does.
+    bool is_open(double u, double v) { return sees(u, v, least_open); }
+
+    std::uint64_t rays = 0;
+
+  private:
+    /// Whether at least so many rays from (u,v) go free.
+    bool sees(double u, double v, int wanted) {
         const Vec3 point = element_.geometry.point(u, v);
         for (const Quad& cover : covers_)
             if (holds(cover, point)) return false;
         for (const Vec3& direction : looks_) {
             ++rays;
-            const Hit hit = visibility_.nearest(point, element_.quad, direction);
-            if (!hit) return true;
-            const auto side = 2 * static_cast<std::size_t>(hit.quad) + (hit.front ? 0 : 1);
-            if (takes_part_[side] != 0 && hit.distance > cover_) return true;
+            if (is_free(visibility_.nearest(point, element_.quad, direction)) && --wanted == 0)
+                return true;
         }
         return false;
     }
 
-    std::uint64_t rays = 0;
+    bool is_free(const Hit& hit) const {
+        if (!hit) return true;
+        const auto quad = static_cast<std::size_t>(hit.quad);
+        if (takes_part_[2 * quad + (hit.front ? 0 : 1)] == 0) return false;
+        return hit.distance > cover_ ||
+               std::abs(quads_[quad].normal().dot(element_.geometry.normal())) < parallel;
+    }
 
-  private:
     const Element& element_;
+    const std::vector<Quad>& quads_;
     const std::vector<char>& takes_part_;
     const Visibility& visibility_;
     Eigen::Matrix3d frame_;
@@ -118,8 +138,8 @@ std::vector<OpenMask> masks_of(const Element& element, SampleTest& test) {
     for (std::uint32_t j = 0; j <= rows; ++j)
         for (std::uint32_t i = 0; i <= columns; ++i)
             corner[j * (columns + 1) + i] =
-                test.is_open(std::clamp(static_cast<double>(i) / columns, inset, 1 - inset),
-                             std::clamp(static_cast<double>(j) / rows, inset, 1 - inset))
+                test.is_reached(std::clamp(static_cast<double>(i) / columns, inset, 1 - inset),
+                                std::clamp(static_cast<double>(j) / rows, inset, 1 - inset))
                     ? 1
                     : 0;
     std::vector<OpenMask> masks(tree.functions(), all_open);
@@ -129,7 +149,7 @@ std::vector<OpenMask> masks_of(const Element& element, SampleTest& test) {
             const int open = corner[j * (columns + 1) + i] + corner[j * (columns + 1) + i + 1] +
                              corner[(j + 1) * (columns + 1) + i] +
                              corner[(j + 1) * (columns + 1) + i + 1] +
-                             (test.is_open((i + 0.5) / columns, (j + 0.5) / rows) ? 1 : 0);
+                             (test.is_reached((i + 0.5) / columns, (j + 0.5) / rows) ? 1 : 0);
             if (open == 5) continue;
             OpenMask mask = 0;
             if (open > 0)
@@ -156,7 +176,7 @@ void set_open_masks(const std::vector<Quad>& quads, const OccluderTree& tree,
     std::atomic<std::uint64_t> rays{0};
     tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
         Element& element = elements[e];
-        SampleTest test(element, takes_part, visibility);
+        SampleTest test(element, quads, takes_part, visibility);
         test.set_covers(covers_of(element, quads, tree));
         // A quad that is one cell is too small to matter, unless something lies on it.
         if (element.space.tree().levels() == 0 && !test.is_covered_in_part()) return;

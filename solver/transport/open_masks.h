@@ -11,9 +11,9 @@ namespace lightwell {
 
 /// Finds the finest cells that are partly buried and sets their masks: under the foot of a block,
 /// behind a picture on a wall, above a lamp that almost touches the ceiling. A sample is open if
-/// one of a few rays over its hemisphere escapes, or meets another element farther off than a
-/// fraction of the cell. Cells are first looked at in their corners and centre; only those that
-/// disagree are sampled in full.
+/// enough of a few rays over its hemisphere escape, or meet another element that is not a parallel
+/// one at a fraction of the cell's size. Cells are first looked at in their corners and centre;
+/// only those that disagree are sampled in full.
 ///
 /// Of quads that lie in one plane and overlap, the first in the scene is the one that light meets,
 /// as it would be with a ray; the others are buried under it. Otherwise the light on the overlap
