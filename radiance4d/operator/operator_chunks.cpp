@@ -39,14 +39,20 @@ void gather_planes(std::string_view bytes, std::size_t count, std::uint32_t plan
     }
 }
 
-/// Calls use(begin, numbers, size) for one block after another, each small enough for the cache.
-template <typename Use>
-void for_each_block(std::string_view bytes, std::size_t count, std::uint32_t planes, Use use) {
-    std::array<std::uint32_t, 4096> block;
+/// Appends numbers of four bytes, block by block: each is small enough for the cache, and memory
+/// that is about to be written is not cleared first.
+template <typename Number>
+void append_planes(std::string_view bytes, std::size_t count, std::uint32_t planes,
+                   std::vector<Number>& numbers) {
+    static_assert(sizeof(Number) == sizeof(std::uint32_t));
+    std::array<std::uint32_t, 4096> bits;
+    std::array<Number, 4096> block;
+    numbers.reserve(numbers.size() + count);
     for (std::size_t begin = 0; begin < count; begin += block.size()) {
         const std::size_t size = std::min(block.size(), count - begin);
-        gather_planes(bytes, count, planes, begin, size, block.data());
-        use(begin, block.data(), size);
+        gather_planes(bytes, count, planes, begin, size, bits.data());
+        std::memcpy(block.data(), bits.data(), sizeof(Number) * size);
+        numbers.insert(numbers.end(), block.begin(), block.begin() + size);
     }
 }
 
@@ -118,11 +124,7 @@ TransportOperator read_index(ByteReader& reader) {
     }
     if (operator_.column_start.back() != coefficients)
         reader.fail("the columns do not add up to the coefficients");
-    operator_.row.resize(coefficients);
-    for_each_block(reader.take(coefficients * planes), coefficients, planes,
-                   [&](std::size_t begin, const std::uint32_t* gaps, std::size_t size) {
-                       std::copy_n(gaps, size, operator_.row.data() + begin);
-                   });
+    append_planes(reader.take(coefficients * planes), coefficients, planes, operator_.row);
     reader.finish();
     rows_from_gaps(operator_);
     return operator_;
@@ -132,11 +134,7 @@ void read_values(ByteReader& reader, TransportOperator& operator_) {
     const std::size_t count = operator_.row.size();
     if (reader.left() / 4 < count)
         reader.fail(fmt::format("{} values for {} coefficients", reader.left() / 4, count));
-    operator_.value.resize(count);
-    for_each_block(reader.take(4 * count), count, 4,
-                   [&](std::size_t begin, const std::uint32_t* bits, std::size_t size) {
-                       std::memcpy(operator_.value.data() + begin, bits, 4 * size);
-                   });
+    append_planes(reader.take(4 * count), count, 4, operator_.value);
     reader.finish();
 }
 

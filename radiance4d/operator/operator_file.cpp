@@ -1,11 +1,14 @@
 #include "radiance4d/operator/operator_file.h"
 
 #include <algorithm>
+#include <exception>
 #include <new>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
@@ -65,6 +68,22 @@ std::string channel_bytes(const GlobalTransport& transport) {
     return writer.bytes();
 }
 
+/// Does work 0 to count - 1 at once. Of several failures the first in order is thrown, so that the
+/// message does not depend on which thread was faster.
+template <typename Work>
+void at_once(std::size_t count, const Work& work) {
+    std::vector<std::exception_ptr> failures(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) {
+        try {
+            work(n);
+        } catch (...) {
+            failures[n] = std::current_exception();
+        }
+    });
+    for (const std::exception_ptr& failure : failures)
+        if (failure) std::rethrow_exception(failure);
+}
+
 /// An operator file whose chunks are what this version knows.
 class OperatorFileReader {
   public:
@@ -109,12 +128,19 @@ class OperatorFileReader {
     /// The n-th operator whose chunks' tags start with `name`.
     TransportOperator transport(const std::string& name, std::size_t nth, std::uint64_t functions,
                                 bool upper_half) const {
-        TransportOperator result =
-            decode(name + "I", nth, [](ByteReader& reader) { return read_index(reader); });
-        decode(name + "V", nth, [&](ByteReader& reader) {
-            read_values(reader, result);
-            reader.require_no(flaw_of_operator(result, functions, upper_half));
+        TransportOperator result;
+        const ChunkSummary& value_chunk = source_.chunk(name + "V", nth);
+        std::optional<ChunkContent> values;
+        at_once(2, [&](std::size_t part) {
+            if (part == 0)
+                result =
+                    decode(name + "I", nth, [](ByteReader& reader) { return read_index(reader); });
+            else
+                values = source_.content(value_chunk);
         });
+        ByteReader reader(values->view(), source_.place(value_chunk));
+        read_values(reader, result);
+        reader.require_no(flaw_of_operator(result, functions, upper_half));
         return result;
     }
 
@@ -191,9 +217,13 @@ GlobalTransport read_operator_file(const std::string& path) {
         transport.channel = file.channel();
         // The operators come before the space: their columns, which take bytes in the file, bound
         // the functions that the trees announce.
-        transport.bounce.upper = file.transport("DTO", 0, functions, true);
-        for (std::size_t n = 0; n < file.distinct_channels(); ++n)
-            transport.indirect.push_back(file.transport("GTO", n, functions, false));
+        transport.indirect.resize(file.distinct_channels());
+        at_once(1 + file.distinct_channels(), [&](std::size_t n) {
+            if (n == 0)
+                transport.bounce.upper = file.transport("DTO", 0, functions, true);
+            else
+                transport.indirect[n - 1] = file.transport("GTO", n - 1, functions, false);
+        });
         transport.space = space_from(shapes, transport.scene);
         std::string options_json;
         transport.provenance = file.provenance(options_json);

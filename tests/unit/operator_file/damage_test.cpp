@@ -104,6 +104,16 @@ TEST_F(Damage, ByAppendingIsNoticed) {
     EXPECT_TRUE(contains(refusal_of(bytes_ + bytes_), "after its end"));
 }
 
+// Chunks are read at once; what is said must not depend on which thread was faster.
+TEST_F(Damage, InManyPlacesIsToldOfTheFirst) {
+    std::string damaged = bytes_;
+    for (const ChunkSummary& chunk : inspect_operator_file(good_).chunks)
+        if (chunk.tag.substr(0, 3) == "DTO" || chunk.tag.substr(0, 3) == "GTO")
+            damaged[chunk.offset + chunk.stored / 2] ^= 1;
+    for (int k = 0; k < 200; ++k)
+        ASSERT_TRUE(contains(refusal_of(damaged), "chunk DTOI")) << refusal();
+}
+
 TEST_F(Damage, ByTextTransferIsNamed) {
     std::string damaged = bytes_;
     damaged.erase(4, 1);
