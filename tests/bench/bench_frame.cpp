@@ -1,0 +1,158 @@
+// What a frame with one moved lamp costs, stage by stage, on scenes computed to 5 %.
+//
+// The scenes are precomputed here, which takes a minute or two, unless LIGHTWELL_BENCH_OPERATORS
+// names a folder that holds cornell-box.gto, maze.gto and office.gto.
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "radiance4d/operator/light_projection.h"
+#include "radiance4d/operator/operator_file.h"
+#include "runtime/propagation/incremental_update.h"
+#include "solver/precompute.h"
+#include "solver/reading/scene_reader.h"
+
+namespace lightwell {
+
+namespace {
+
+struct LitScene {
+    GlobalTransport transport;
+    std::vector<Quad> quads;
+    OccluderTree occluders;
+
+    /// The scene's first lamp, moved by so many centimetres.
+    std::vector<Light> lamp(int centimetres) const {
+        Light light = transport.scene.lights.at(0);
+        std::visit([&](auto& any) { any.position[0] += 0.01 * centimetres; }, light);
+        return {light};
+    }
+    PackedField direct(int centimetres) const {
+        return packed(projected_lights(transport.space, lamp(centimetres), quads, occluders));
+    }
+};
+
+GlobalTransport operator_of(const std::string& name) {
+    if (const char* folder = std::getenv("LIGHTWELL_BENCH_OPERATORS")) {
+        const std::string file = std::string(folder) + "/" + name + ".gto";
+        if (std::filesystem::exists(file)) return read_operator_file(file);
+    }
+    PrecomputeReport report;
+    return precompute(read_scene(LIGHTWELL_SCENES "/" + name + "/scene.toml").scene, {}, {},
+                      report);
+}
+
+const LitScene& lit_scene(const std::string& name) {
+    static std::map<std::string, LitScene> made;
+    const auto found = made.find(name);
+    if (found != made.end()) return found->second;
+    GlobalTransport transport = operator_of(name);
+    std::vector<Quad> quads;
+    for (const SceneQuad& quad : transport.scene.quads)
+        quads.push_back(quad.quad);
+    OccluderTree occluders(quads);
+    return made.emplace(name, LitScene{std::move(transport), std::move(quads), occluders})
+        .first->second;
+}
+
+const std::vector<std::string> names = {"cornell-box", "maze", "office"};
+
+// The product H E alone. "bytes" is what the coefficients take, and the rate what that comes to.
+void propagation(benchmark::State& state, const std::string& name, ValueFormat format) {
+    const LitScene& scene = lit_scene(name);
+    const GlobalPropagation held(scene.transport, format);
+    const PackedField direct = scene.direct(0);
+    PackedField indirect = PackedField::Zero(4, direct.cols());
+    std::vector<std::uint32_t> columns;
+    for (auto _ : state) {
+        held.collect(direct, columns);
+        indirect.setZero();
+        held.add(columns, direct, indirect);
+        benchmark::DoNotOptimize(indirect.data());
+    }
+    state.counters["columns"] = static_cast<double>(columns.size());
+    state.counters["coefficients"] = static_cast<double>(held.coefficients());
+    state.counters["bytes"] = static_cast<double>(held.bytes());
+    state.SetBytesProcessed(static_cast<std::int64_t>(held.bytes()) * state.iterations());
+}
+
+// The same by the operators as the file has them, a channel at a time.
+void plain_product(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    const RadianceField direct = unpacked(scene.direct(0));
+    for (auto _ : state) {
+        const RadianceField light = global_light(scene.transport, direct);
+        benchmark::DoNotOptimize(light.data());
+    }
+}
+
+// A lamp that moves a centimetre a frame, to and fro, updated within a budget (0: none).
+void update(benchmark::State& state, const std::string& name, UpdateMode mode) {
+    const LitScene& scene = lit_scene(name);
+    const GlobalPropagation held(scene.transport);
+    std::vector<PackedField> path;
+    for (int frame = 0; frame < 8; ++frame)
+        path.push_back(scene.direct(frame));
+    IncrementalUpdate updated(scene.transport.space, held);
+    UpdateOptions options;
+    options.mode = mode;
+    options.budget = static_cast<std::uint32_t>(state.range(0));
+    std::size_t frame = 0;
+    for (auto _ : state) {
+        const std::size_t step = frame++ % 14;
+        updated.update(path[step < 8 ? step : 14 - step], options);
+        benchmark::DoNotOptimize(updated.indirect().data());
+    }
+}
+
+void register_all() {
+    const auto in_ms = [](benchmark::internal::Benchmark* bench) {
+        return bench->Unit(benchmark::kMillisecond)->UseRealTime();
+    };
+    const auto named = [](const std::string& what, const std::string& scene) {
+        return what + "/" + scene;
+    };
+    for (const std::string& name : names) {
+        in_ms(benchmark::RegisterBenchmark(
+            named("PlainProduct", name).c_str(),
+            [name](benchmark::State& state) { plain_product(state, name); }));
+        const std::pair<const char*, ValueFormat> formats[] = {
+            {"PropagationSingle", ValueFormat::single},
+            {"PropagationHalf", ValueFormat::half},
+            {"PropagationByte", ValueFormat::byte}};
+        for (const auto& [title, format] : formats)
+            in_ms(benchmark::RegisterBenchmark(named(title, name).c_str(),
+                                               [name, value = format](benchmark::State& state) {
+                                                   propagation(state, name, value);
+                                               }));
+        const std::pair<const char*, UpdateMode> modes[] = {
+            {"UpdateFresh", UpdateMode::fresh},
+            {"UpdateIncremental", UpdateMode::incremental},
+            {"UpdatePerBand", UpdateMode::per_band}};
+        for (const auto& [title, mode] : modes)
+            in_ms(benchmark::RegisterBenchmark(
+                      named(title, name).c_str(),
+                      [name, value = mode](benchmark::State& state) { update(state, name, value); })
+                      ->Arg(30)
+                      ->Arg(300)
+                      ->Arg(0));
+    }
+}
+
+}  // namespace
+
+}  // namespace lightwell
+
+int main(int argc, char** argv) {
+    lightwell::register_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
