@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
 #include "solver/reference/error_estimate.h"
@@ -331,10 +332,9 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     return transport;
 }
 
-}  // namespace
-
-GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
-                           const Progress& progress, PrecomputeReport& report) {
+/// The pipeline, of a scene without gloss.
+GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& options,
+                                   const Progress& progress, PrecomputeReport& report) {
     StageClock clock(report.seconds);
     OracleCost cost;
     Ground ground(scene);
@@ -379,6 +379,18 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     provenance.oracle_tolerance = settings.oracle_tolerance;
     provenance.truncation = settings.truncation;
     provenance.rays = cost.rays;
+    return transport;
+}
+
+}  // namespace
+
+GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
+                           const Progress& progress, PrecomputeReport& report) {
+    Scene diffuse = scene;
+    std::transform(scene.materials.begin(), scene.materials.end(), diffuse.materials.begin(),
+                   diffuse_of_equal_albedo);
+    GlobalTransport transport = precompute_diffuse(diffuse, options, progress, report);
+    transport.scene = scene;
     return transport;
 }
 

@@ -50,7 +50,8 @@ struct PrecomputeReport {
 };
 
 /// The offline pipeline: elements, links, direct transport operator, Neumann series (WRT
-/// sections 4.2 to 4.4).
+/// sections 4.2 to 4.4). Glossy materials are computed as diffuse ones of equal mean albedo; the
+/// transport's scene holds them as they are.
 ///
 /// @throws InputError    if the scene cannot be computed within max_memory (said before it starts
 /// in earnest)

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "radiance4d/scene/brdf.h"
+
 namespace lightwell {
 
 namespace {
@@ -14,9 +16,27 @@ namespace {
 /// Farthest that a corner may lie off the plane, in lengths of the quad. Scenes are read to 1e-4.
 constexpr double planarity = 1e-3;
 
+bool is_share(const Rgb& reflectance) {
+    return (reflectance >= 0).all() && (reflectance <= 1).all();
+}
+
+std::string flaw_of_lobe(const Lobe& lobe) {
+    if (!is_share(lobe_reflectance(lobe))) return "the reflectance of its lobe is not in [0,1]";
+    if (const auto* phong = std::get_if<PhongLobe>(&lobe))
+        if (!(phong->exponent >= 0 && phong->exponent <= 10000))
+            return "its exponent is not in [0,10000]";
+    if (const auto* ggx = std::get_if<GgxLobe>(&lobe))
+        if (!(ggx->roughness >= 0.01 && ggx->roughness <= 1))
+            return "its roughness is not in [0.01,1]";
+    return {};
+}
+
 std::string flaw_of_material(const Material& material) {
-    if (!((material.reflectance >= 0).all() && (material.reflectance <= 1).all()))
-        return "its reflectance is not in [0,1]";
+    if (!is_share(material.reflectance)) return "its reflectance is not in [0,1]";
+    if (std::string flaw = flaw_of_lobe(material.lobe); !flaw.empty()) return flaw;
+    constexpr double rounding = 1e-5;
+    if (is_glossy(material) && !(albedo_peak(material).albedo <= 1 + rounding))
+        return "it reflects more than it receives";
     if (!(material.emission >= 0).all() || !material.emission.isFinite().all())
         return "its emission is not finite and >= 0";
     return {};

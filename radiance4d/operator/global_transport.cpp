@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "radiance4d/scene/brdf.h"
+
 namespace lightwell {
 
 namespace {
@@ -18,10 +20,11 @@ RadianceField indirect_light(const GlobalTransport& transport, const RadianceFie
 }  // namespace
 
 RadianceField reflectance_of(const Scene& scene, const RadianceSpace& space) {
+    const std::vector<Rgb> means = mean_albedos(scene.materials);
     RadianceField rho(space.functions(), 3);
     for (const Element& element : space.elements())
         rho.middleRows(element.first, element.functions()).rowwise() =
-            scene.material_of(element.quad).reflectance.transpose();
+            means[scene.material_number(element.quad)].transpose();
     return rho;
 }
 

@@ -41,7 +41,7 @@ struct GlobalTransport {
     Provenance provenance;
 };
 
-/// Reflectance of every basis function, one row each.
+/// Reflectance of every basis function, one row each; of glossy materials the mean albedo.
 RadianceField reflectance_of(const Scene& scene, const RadianceSpace& space);
 
 /// Projection of the light that the emitting quads send out: emitted luminance as a field

@@ -25,7 +25,7 @@ namespace lightwell {
 
 namespace {
 
-constexpr std::size_t single_chunks = 7;  // SCEN LITE SPAC CHAN DTOI DTOV PROV
+constexpr std::size_t single_chunks = 7;  // SCEN LITE SPAC CHAN DTOI DTOV PROV, without LOBE
 
 std::string flaw_of_channels(const std::array<int, 3>& channel, std::size_t distinct) {
     if (distinct < 1 || distinct > 3) return fmt::format("{} distinct channels", distinct);
@@ -98,12 +98,23 @@ class OperatorFileReader {
 
     Scene scene() const {
         Scene scene;
-        decode("SCEN", 0, [&](ByteReader& reader) {
-            read_surfaces(reader, scene);
+        const bool glossy = source_.count("LOBE") > 0;
+        const auto require_hash = [&](const ByteReader& reader) {
             reader.require_no(lightwell::scene_hash(scene) == source_.scene_hash()
                                   ? ""
                                   : "the scene hash in the head is of another scene");
+        };
+        decode("SCEN", 0, [&](ByteReader& reader) {
+            read_surfaces(reader, scene);
+            if (!glossy) require_hash(reader);
         });
+        if (glossy) {
+            require_count("LOBE", 1);
+            decode("LOBE", 0, [&](ByteReader& reader) {
+                read_lobes(reader, scene);
+                require_hash(reader);
+            });
+        }
         decode("LITE", 0, [&](ByteReader& reader) { read_surroundings(reader, scene); });
         return scene;
     }
@@ -153,7 +164,8 @@ class OperatorFileReader {
 
   private:
     static bool is_known(const std::string& tag) {
-        const auto known = {"SCEN", "LITE", "SPAC", "CHAN", "DTOI", "DTOV", "GTOI", "GTOV", "PROV"};
+        const auto known = {"SCEN", "LOBE", "LITE", "SPAC", "CHAN",
+                            "DTOI", "DTOV", "GTOI", "GTOV", "PROV"};
         return std::find(known.begin(), known.end(), tag) != known.end();
     }
 
@@ -192,8 +204,10 @@ void write_operator_file(const std::string& path, const GlobalTransport& transpo
     if (const std::string flaw = flaw_of(transport, shapes); !flaw.empty())
         throw BrokenInvariant("a transport that cannot be written: " + flaw);
 
-    FileAssembly file(single_chunks + 2 * transport.indirect.size());
+    const std::string lobes = lobes_bytes(transport.scene);
+    FileAssembly file(single_chunks + (lobes.empty() ? 0 : 1) + 2 * transport.indirect.size());
     file.add("SCEN", surfaces_bytes(transport.scene));
+    if (!lobes.empty()) file.add("LOBE", lobes);
     file.add("LITE", surroundings_bytes(transport.scene));
     file.add("SPAC", space_bytes(shapes));
     file.add("CHAN", channel_bytes(transport));
@@ -257,7 +271,7 @@ OperatorFileInfo inspect_operator_file(const std::string& path) {
 }
 
 std::uint64_t scene_hash(const Scene& scene) {
-    return checksum_of(surfaces_bytes(scene));
+    return checksum_of(surfaces_bytes(scene) + lobes_bytes(scene));
 }
 
 }  // namespace lightwell

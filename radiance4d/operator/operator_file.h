@@ -18,7 +18,7 @@ namespace lightwell {
 /// | 8 .. 11   | format version, u32                                                           |
 /// | 12 .. 15  | number of chunks n, u32, at most 64                                           |
 /// | 16 .. 23  | size of the whole file, u64                                                   |
-/// | 24 .. 31  | scene hash, u64: XXH3-64 of the content of chunk SCEN                         |
+/// | 24 .. 31  | scene hash, u64: XXH3-64 of the content of chunk SCEN, then LOBE if any       |
 /// | 32 ..     | chunk table, n entries of 32 bytes: tag (4 letters), encoding u32 (0 plain,   |
 /// |           | 1 zstd), stored length u64, content length u64, XXH3-64 of the stored bytes   |
 /// | 32 + 32 n | XXH3-64 of everything before, u64                                             |
@@ -34,6 +34,8 @@ namespace lightwell {
 /// | SCEN  | number of materials, of quads; per material: name, reflectance and emission (3     |
 /// |       | doubles each), sides that reflect, sides that emit (u8: 0 front, 1 both); per quad: |
 /// |       | vertices (12 doubles [m]), material, face, line                                    |
+/// | LOBE  | only where a material is glossy; per material: u8 kind (0 none, 1 Phong, 2 GGX),   |
+/// |       | unless none: reflectance (3 doubles), exponent or roughness (double)               |
 /// | LITE  | scene name, geometry file, up (3 doubles); number of lights, each: u8 kind (0      |
 /// |       | point, 1 spot), name, position, intensity, for spots direction, inner and outer    |
 /// |       | angle (doubles); u8 camera present, position, target, up, vertical angle; number of |

@@ -1,5 +1,7 @@
 #include "radiance4d/operator/scene_chunks.h"
 
+#include <variant>
+
 #include "radiance4d/operator/file_flaws.h"
 
 namespace lightwell {
@@ -27,6 +29,26 @@ Material read_material(ByteReader& reader) {
     material.reflecting = static_cast<Sides>(reader.choice(2));
     material.emitting = static_cast<Sides>(reader.choice(2));
     return material;
+}
+
+void write(ByteWriter& writer, const Lobe& lobe) {
+    writer.number(static_cast<std::uint8_t>(lobe.index()));
+    if (const auto* phong = std::get_if<PhongLobe>(&lobe)) {
+        writer.triple(phong->reflectance);
+        writer.number(phong->exponent);
+    } else if (const auto* ggx = std::get_if<GgxLobe>(&lobe)) {
+        writer.triple(ggx->reflectance);
+        writer.number(ggx->roughness);
+    }
+}
+
+Lobe read_lobe(ByteReader& reader) {
+    const int kind = reader.choice(static_cast<int>(std::variant_size_v<Lobe>));
+    if (kind == 0) return NoLobe{};
+    const Rgb reflectance = reader.colour();
+    const auto shape = reader.number<double>();
+    if (kind == 1) return PhongLobe{reflectance, shape};
+    return GgxLobe{reflectance, shape};
 }
 
 void write(ByteWriter& writer, const SceneQuad& quad) {
@@ -132,6 +154,23 @@ void read_surfaces(ByteReader& reader, Scene& scene) {
         scene.materials.push_back(read_material(reader));
     for (std::uint32_t q = 0; q < quads; ++q)
         scene.quads.push_back(read_quad(reader));
+    reader.finish();
+    reader.require_no(flaw_of_surfaces(scene));
+}
+
+std::string lobes_bytes(const Scene& scene) {
+    ByteWriter writer;
+    bool any = false;
+    for (const Material& material : scene.materials) {
+        any = any || !std::holds_alternative<NoLobe>(material.lobe);
+        write(writer, material.lobe);
+    }
+    return any ? writer.bytes() : std::string();
+}
+
+void read_lobes(ByteReader& reader, Scene& scene) {
+    for (Material& material : scene.materials)
+        material.lobe = read_lobe(reader);
     reader.finish();
     reader.require_no(flaw_of_surfaces(scene));
 }

@@ -9,11 +9,15 @@ namespace lightwell {
 
 /// Content of chunk SCEN: materials and quads. Canonical: equal scenes give equal bytes.
 std::string surfaces_bytes(const Scene& scene);
+/// Content of chunk LOBE: what is glossy about the materials; empty where nothing is.
+std::string lobes_bytes(const Scene& scene);
 /// Content of chunk LITE: names, lights, camera and sensor grids.
 std::string surroundings_bytes(const Scene& scene);
 
 /// Fills in what the chunk holds and checks it. @throws InputError
 void read_surfaces(ByteReader& reader, Scene& scene);
+/// Reads chunk LOBE after read_surfaces.
+void read_lobes(ByteReader& reader, Scene& scene);
 void read_surroundings(ByteReader& reader, Scene& scene);
 
 }  // namespace lightwell

@@ -52,9 +52,11 @@ struct Scene {
     std::optional<Camera> camera;
     std::vector<SensorGrid> sensor_grids;
 
-    const Material& material_of(int quad) const {
-        return materials[static_cast<std::size_t>(quads[static_cast<std::size_t>(quad)].material)];
+    /// Index into `materials` of a quad's material.
+    std::size_t material_number(int quad) const {
+        return static_cast<std::size_t>(quads[static_cast<std::size_t>(quad)].material);
     }
+    const Material& material_of(int quad) const { return materials[material_number(quad)]; }
     /// "quad 12 (room.obj:57)", for messages.
     std::string describe(int quad) const;
 };

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "radiance4d/basis/direction_map.h"
+#include "radiance4d/scene/brdf.h"
 
 namespace lightwell {
 
@@ -28,7 +29,10 @@ Eigen::Matrix3d frame_about(const Vec3& z) {
 
 FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& visibility,
                          std::vector<SmoothSurface> incident, int strata)
-    : transport_(transport), visibility_(visibility), incident_(std::move(incident)) {
+    : transport_(transport),
+      visibility_(visibility),
+      incident_(std::move(incident)),
+      albedo_(mean_albedos(transport.scene.materials)) {
     // One jittered point per stratum of the angular square, the same for every sensor: neighbouring
     // sensors then differ by what they see and not by chance.
     std::mt19937_64 random(20060626);
@@ -53,7 +57,7 @@ Rgb FinalGather::irradiance(const Vec3& point, const Vec3& normal, int on_quad) 
         if (element < 0) continue;
         const Element& met = transport_.space.element(static_cast<std::size_t>(element));
         const Vec2 uv = met.geometry.parameters(point + hit.distance * direction);
-        sum += transport_.scene.material_of(hit.quad).reflectance *
+        sum += albedo_[transport_.scene.material_number(hit.quad)] *
                incident_[static_cast<std::size_t>(element)].at(uv[0], uv[1]);
     }
     return sum / static_cast<double>(directions_.size());

@@ -28,6 +28,7 @@ class FinalGather {
     const GlobalTransport& transport_;
     const Visibility& visibility_;
     std::vector<SmoothSurface> incident_;
+    std::vector<Rgb> albedo_;       ///< mean, by material
     std::vector<Vec3> directions_;  ///< cosine-distributed about z, one per stratum
 };
 

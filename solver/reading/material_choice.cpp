@@ -1,12 +1,14 @@
 #include "solver/reading/material_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "radiance4d/scene/brdf.h"
 #include "solver/reading/input_file.h"
 
 namespace lightwell {
@@ -80,6 +82,11 @@ MaterialDescription merged(const MaterialDescription& stronger, MaterialDescript
     weaker.place = stronger.place;
     if (stronger.reflectance) weaker.reflectance = stronger.reflectance;
     if (stronger.emission) weaker.emission = stronger.emission;
+    if (stronger.specular) weaker.specular = stronger.specular;
+    if (stronger.exponent || stronger.roughness) {
+        weaker.exponent = stronger.exponent;
+        weaker.roughness = stronger.roughness;
+    }
     if (stronger.reflecting) weaker.reflecting = stronger.reflecting;
     if (stronger.emitting) weaker.emitting = stronger.emitting;
     return weaker;
@@ -88,8 +95,9 @@ MaterialDescription merged(const MaterialDescription& stronger, MaterialDescript
 class MaterialChooser {
   public:
     MaterialChooser(const PolygonSoup& soup, const std::vector<MaterialDescription>& own,
-                    const std::string& default_name, std::vector<Warning>& warnings)
-        : soup_(soup), default_name_(default_name), warnings_(warnings) {
+                    const std::string& default_name, AlbedoAboveOne above_one,
+                    std::vector<Warning>& warnings)
+        : soup_(soup), default_name_(default_name), above_one_(above_one), warnings_(warnings) {
         described_ = read_libraries(soup, warnings);
         for (const MaterialDescription& mine : own) {
             described_[mine.name] = merged(mine, described_[mine.name]);
@@ -143,7 +151,36 @@ class MaterialChooser {
         if (from.emission) made.emission = *from.emission;
         if (from.reflecting) made.reflecting = *from.reflecting;
         if (from.emitting) made.emitting = *from.emitting;
-        return made;
+        made.lobe = lobe(from);
+        return within_one(made, from.place);
+    }
+
+    Lobe lobe(const MaterialDescription& from) {
+        if (!from.specular || !(*from.specular > 0).any()) return NoLobe{};
+        if (from.roughness) return GgxLobe{*from.specular, *from.roughness};
+        if (from.exponent) return PhongLobe{*from.specular, *from.exponent};
+        warn(from.place, "material " + in_quotes(from.name) +
+                             " has a specular reflectance, but no exponent and no roughness: it is "
+                             "taken as diffuse");
+        return NoLobe{};
+    }
+
+    /// The material, if it reflects no more than what arrives; see AlbedoAboveOne.
+    Material within_one(const Material& material, const Place& place) {
+        constexpr double rounding = 1e-6;
+        const AlbedoPeak peak = albedo_peak(material);
+        if (peak.albedo <= 1 + rounding) return material;
+        constexpr std::array<const char*, 3> channels = {"red", "green", "blue"};
+        const std::string finding = fmt::format(
+            "material {} reflects more light than it receives: {:.4g} of the {} at {:.0f} degrees "
+            "from the normal",
+            in_quotes(material.name), peak.albedo, channels[static_cast<std::size_t>(peak.channel)],
+            peak.angle);
+        if (above_one_ == AlbedoAboveOne::refuse)
+            throw InputError(place, finding + "; --scale-albedo takes the scene all the same");
+        warn(place, fmt::format("{}; diffuse and specular reflectance are scaled by {:.4g}",
+                                finding, 1 / peak.albedo));
+        return scaled_to_albedo(material, 1);
     }
 
     /// The material of those that have none: 0.5 grey, or the one the scene names.
@@ -176,6 +213,7 @@ class MaterialChooser {
 
     const PolygonSoup& soup_;
     std::string default_name_;
+    AlbedoAboveOne above_one_;
     std::vector<Warning>& warnings_;
     Descriptions described_;
     MaterialChoice choice_;
@@ -187,8 +225,9 @@ class MaterialChooser {
 
 MaterialChoice choose_materials(const PolygonSoup& soup,
                                 const std::vector<MaterialDescription>& own,
-                                const std::string& default_name, std::vector<Warning>& warnings) {
-    return MaterialChooser(soup, own, default_name, warnings).choose();
+                                const std::string& default_name, AlbedoAboveOne above_one,
+                                std::vector<Warning>& warnings) {
+    return MaterialChooser(soup, own, default_name, above_one, warnings).choose();
 }
 
 }  // namespace lightwell

@@ -16,14 +16,23 @@ struct MaterialChoice {
     int of_unnamed = -1;       ///< for polygons that name none; -1: there are no such polygons
 };
 
+/// What to do with a material that reflects more light than it receives, at any angle.
+enum class AlbedoAboveOne {
+    refuse,  ///< an InputError that names material, angle and value
+    scale,   ///< scale it down to 1 and warn
+};
+
 /// Chooses materials by name. What the scene file says (`own`) goes before the MTL files the
 /// geometry names (a scene's table may give only what it changes), and those before the defaults:
 /// 0.5 grey, no emission, both sides. Polygons without a material, and those whose material nobody
 /// describes, get `default_name` if it is not empty, else 0.5 grey; everything that had to be
-/// assumed is said in a warning.
-/// @throws InputError for a damaged MTL file; one that does not exist is a warning
+/// assumed is said in a warning. A material with a specular reflectance has a GGX lobe if there is
+/// a roughness, a Phong lobe if there is an exponent.
+/// @throws InputError for a damaged MTL file (one that does not exist is a warning), and for a
+/// material whose albedo exceeds 1 unless `above_one` says otherwise
 MaterialChoice choose_materials(const PolygonSoup& soup,
                                 const std::vector<MaterialDescription>& own,
-                                const std::string& default_name, std::vector<Warning>& warnings);
+                                const std::string& default_name, AlbedoAboveOne above_one,
+                                std::vector<Warning>& warnings);
 
 }  // namespace lightwell

@@ -51,8 +51,8 @@ class MtlReader {
     std::vector<MaterialDescription> read() {
         while (scanner_.next_line())
             if (const auto keyword = scanner_.next()) statement(*keyword);
+        finish_current();
         const std::string& file = scanner_.file();
-        glossy_.report(file, "gloss (Ks) is not read: the surface is taken as diffuse", warnings_);
         textured_.report(file, "the texture (map_Kd) is not read: Kd alone counts", warnings_);
         transparent_.report(file, "transparency (d) is not read: the surface is taken as opaque",
                             warnings_);
@@ -65,15 +65,21 @@ class MtlReader {
             const Token name = scanner_.rest();
             if (name.text.empty())
                 throw InputError(scanner_.place(keyword), "newmtl without a name");
+            finish_current();
             materials_.emplace_back();
             materials_.back().name = std::string(name.text);
             materials_.back().place = scanner_.place(name);
         } else if (keyword.text == "Kd") {
             current(keyword).reflectance = checked_reflectance(keyword);
+        } else if (keyword.text == "Ks") {
+            current(keyword).specular = checked_reflectance(keyword);
+        } else if (keyword.text == "Ns") {
+            current(keyword).exponent = checked_exponent(keyword);
+        } else if (keyword.text == "illum") {
+            const std::string_view model = scanner_.rest().text;
+            has_highlight_ = model != "0" && model != "1";
         } else if (keyword.text == "Ke") {
             current(keyword).emission = checked_emission(keyword);
-        } else if (keyword.text == "Ks") {
-            if (says_something(scanner_, 0)) glossy_.add(keyword.line, keyword.column);
         } else if (keyword.text == "d") {
             if (says_something(scanner_, 1)) transparent_.add(keyword.line, keyword.column);
         } else if (keyword.text == "map_Kd") {
@@ -88,12 +94,26 @@ class MtlReader {
         return materials_.back();
     }
 
+    void finish_current() {
+        if (!has_highlight_ && !materials_.empty()) materials_.back().specular.reset();
+        has_highlight_ = true;
+    }
+
     Rgb checked_reflectance(const Token& keyword) {
         const Rgb value = colour(scanner_, keyword);
         if ((value < 0).any() || (value > 1).any())
             throw InputError(scanner_.place(keyword),
-                             fmt::format("reflectance Kd {} {} {} is not within 0 and 1", value[0],
-                                         value[1], value[2]));
+                             fmt::format("reflectance {} {} {} {} is not within 0 and 1",
+                                         keyword.text, value[0], value[1], value[2]));
+        return value;
+    }
+
+    double checked_exponent(const Token& keyword) {
+        const double value = scanner_.number(scanner_.expect("the exponent"));
+        if (!(value >= 0 && value <= largest_exponent))
+            throw InputError(
+                scanner_.place(keyword),
+                fmt::format("exponent Ns {} is not within 0 and {}", value, largest_exponent));
         return value;
     }
 
@@ -109,7 +129,8 @@ class MtlReader {
     TextScanner scanner_;
     std::vector<Warning>& warnings_;
     std::vector<MaterialDescription> materials_;
-    Occurrences glossy_, textured_, transparent_;
+    bool has_highlight_ = true;  ///< of the current material
+    Occurrences textured_, transparent_;
 };
 
 }  // namespace

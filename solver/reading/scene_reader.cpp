@@ -81,12 +81,12 @@ GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
     return geometry;
 }
 
-void read_geometry(const GeometryChoice& geometry, ReadScene& read) {
+void read_geometry(const GeometryChoice& geometry, AlbedoAboveOne above_one, ReadScene& read) {
     const PolygonSoup soup = read_mesh(geometry.file);
     std::vector<Warning>& warnings = read.report.warnings;
     warnings = soup.warnings;
     MaterialChoice choice =
-        choose_materials(soup, geometry.materials, geometry.default_material, warnings);
+        choose_materials(soup, geometry.materials, geometry.default_material, above_one, warnings);
     QuadsOfPolygons made = quads_from_polygons(soup, geometry.metres_per_unit);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     read.report.counts = made.counts;
@@ -117,7 +117,7 @@ Extras read_extras(const TomlTable& file, const Vec3& up) {
 
 }  // namespace
 
-ReadScene read_scene(const std::string& path) {
+ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one) {
     ReadScene read;
     read.scene.name = std::filesystem::path(path).stem().string();
     GeometryChoice geometry;
@@ -128,7 +128,7 @@ ReadScene read_scene(const std::string& path) {
         throw InputError(Place{path},
                          "a scene is a scene file (.toml) or a geometry file (.obj, "
                          ".ply); convert other formats to one of these");
-    read_geometry(geometry, read);
+    read_geometry(geometry, above_one, read);
     return read;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reading/material_choice.h"
 #include "solver/reading/reading_report.h"
 
 namespace lightwell {
@@ -26,6 +27,9 @@ struct ReadScene {
 ///
 ///     [material.plaster]             # by the name that the geometry uses
 ///     reflectance = 0.7              # in [0,1], one number or [r, g, b]; default 0.5
+///     specular = 0                   # of a glossy lobe, in [0,1], one number or [r, g, b]
+///     exponent = 30                  # the lobe is Phong's, in [0, 10000] ...
+///     roughness = 0.3                # ... or GGX, in [0.01, 1]; one of the two
 ///     emission = [0, 0, 0]           # luminance [cd/m2], one number or [r, g, b]
 ///     sides = "both"                 # sides that reflect: "both" or "front"
 ///     emission_sides = "front"       # sides that emit: "front" or "both"
@@ -59,8 +63,9 @@ struct ReadScene {
 /// the geometry. A material's table goes before the MTL file of an OBJ, which counts for what the
 /// table leaves open.
 /// @throws InputError with file, line and column for whatever is wrong with any of the files,
-/// unknown keys and wrong types included, and for a scene in which no surface is left
-ReadScene read_scene(const std::string& path);
+/// unknown keys and wrong types included, for a scene in which no surface is left, and, unless
+/// `above_one` says otherwise, for a material that reflects more light than it receives
+ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one = AlbedoAboveOne::refuse);
 
 /// The [[light]] tables of a lights file. The file may hold [camera] and [[sensors]], too. A file
 /// without any light says so by `light = []`.

@@ -33,11 +33,32 @@ Vec3 position_from(const TomlTable& table, const std::string& key) {
     return value;
 }
 
-Rgb reflectance_from(const TomlTable& table) {
-    const Rgb value = table.colour("reflectance");
+Rgb reflectance_from(const TomlTable& table, const std::string& key) {
+    const Rgb value = table.colour(key);
     if ((value < 0).any() || (value > 1).any())
-        table.fail("reflectance", "reflectance " + text_of(value) + " is not within 0 and 1");
+        table.fail(key, key + " " + text_of(value) + " is not within 0 and 1");
     return value;
+}
+
+double number_within(const TomlTable& table, const std::string& key, double lowest,
+                     double highest) {
+    const double value = table.number(key);
+    if (!(value >= lowest && value <= highest))
+        table.fail(key, fmt::format("{} {} is not within {} and {}", key, value, lowest, highest));
+    return value;
+}
+
+/// What a material's table says about its lobe.
+void lobe_from(const TomlTable& table, MaterialDescription& material) {
+    if (table.has("specular")) material.specular = reflectance_from(table, "specular");
+    if (table.has("exponent"))
+        material.exponent = number_within(table, "exponent", 0, largest_exponent);
+    if (table.has("roughness")) {
+        if (material.exponent)
+            table.fail("roughness",
+                       "a lobe has an exponent (Phong) or a roughness (GGX), not both");
+        material.roughness = number_within(table, "roughness", 0.01, 1);
+    }
 }
 
 Sides sides_from(const TomlTable& table, const std::string& key) {
@@ -180,7 +201,8 @@ std::vector<MaterialDescription> materials_from(const TomlTable& file) {
         MaterialDescription material;
         material.name = name;
         material.place = table.place();
-        if (table.has("reflectance")) material.reflectance = reflectance_from(table);
+        if (table.has("reflectance")) material.reflectance = reflectance_from(table, "reflectance");
+        lobe_from(table, material);
         if (table.has("emission")) material.emission = non_negative_colour(table, "emission");
         if (table.has("sides")) material.reflecting = sides_from(table, "sides");
         if (table.has("emission_sides")) material.emitting = sides_from(table, "emission_sides");

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "radiance4d/gauss_rule.h"
 #include "radiance4d/scene/scene.h"
 #include "radiance4d/scene/visibility.h"
 #include "solver/reference/polygon_factor.h"

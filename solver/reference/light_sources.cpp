@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "radiance4d/scene/brdf.h"
+
 namespace lightwell {
 
 LampSet::LampSet(const std::vector<Light>& lights) {
@@ -75,7 +77,7 @@ Rgb emitted_from(const Material& material, bool front) {
 }
 
 Rgb albedo_of(const Material& material, bool front) {
-    return front || material.reflecting == Sides::both ? material.reflectance : Rgb(Rgb::Zero());
+    return front || material.reflecting == Sides::both ? mean_albedo(material) : Rgb(Rgb::Zero());
 }
 
 }  // namespace lightwell

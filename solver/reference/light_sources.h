@@ -44,7 +44,7 @@ class EmitterSet {
 
 /// Luminance that leaves this side of a quad of this material by emission [cd/m2].
 Rgb emitted_from(const Material& material, bool front);
-/// Albedo of this side; a side that does not reflect is black.
+/// Mean albedo of this side; a side that does not reflect is black. A quadrature on glossy sides.
 Rgb albedo_of(const Material& material, bool front);
 
 }  // namespace lightwell

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "radiance4d/scene/quad.h"
 
 namespace lightwell {
@@ -10,13 +8,5 @@ namespace lightwell {
 /// covers, in [0,1]: Lambert's formula on the part above the horizon. The quad counts from either
 /// side.
 double point_to_quad_factor(const Vec3& point, const Vec3& normal, const Quad& quad);
-
-/// Nodes and weights of the Gauss-Legendre rule on [0,1]; `count` nodes integrate polynomials of
-/// degree 2 count - 1.
-struct GaussRule {
-    std::vector<double> nodes, weights;
-
-    explicit GaussRule(int count);
-};
 
 }  // namespace lightwell

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "radiance4d/basis/direction_map.h"
-#include "solver/reference/light_sources.h"
+#include "radiance4d/scene/brdf.h"
 #include "solver/reference/random_stream.h"
 
 namespace lightwell {
@@ -30,7 +30,7 @@ bool among_reflecting_sides(const Scene& scene, const Visibility& visibility, co
             visibility.nearest(position, free_point, spiral_direction(k, placement.directions));
         if (!hit) continue;
         const Material& material = scene.material_of(hit.quad);
-        if ((albedo_of(material, hit.front) > 0).any()) ++reflecting;
+        if (reflects(material) && (hit.front || material.reflecting == Sides::both)) ++reflecting;
         if (!hit.front && material.reflecting == Sides::front) ++black_backs;
     }
     return reflecting >= placement.surrounded * placement.directions &&

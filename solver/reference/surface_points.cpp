@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "radiance4d/scene/brdf.h"
 #include "solver/reference/random_stream.h"
 #include "solver/reference/sampling.h"
 
@@ -39,7 +40,7 @@ std::vector<QuadSide> seeing_sides(const Scene& scene, const Visibility& visibil
     std::vector<QuadSide> sides;
     for (int q = 0; q < static_cast<int>(scene.quads.size()); ++q) {
         const Material& material = scene.material_of(q);
-        if (!(material.reflectance > 0).any()) continue;
+        if (!reflects(material)) continue;
         for (const bool front : {true, false}) {
             if (!front && material.reflecting == Sides::front) continue;
             const QuadSide side{q, front};

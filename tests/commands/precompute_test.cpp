@@ -53,6 +53,45 @@ TEST(Precompute, WithoutAttemptsTheErrorIsNotEstimated) {
     EXPECT_EQ(nlohmann::json::parse(run.out)["error_estimated"], 0);
 }
 
+/// A glossy floor below a ceiling, as a scene file; the floor reflects 0.7 diffusely.
+std::string glossy_scene(const ScratchFolder& folder, const std::string& specular) {
+    folder.write("two.obj",
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                 "usemtl floor\nf 1 2 3 4\nusemtl top\nf 8 7 6 5\n");
+    return folder.write("scene.toml",
+                        "geometry = \"two.obj\"\n[material.top]\nreflectance = 0.5\n"
+                        "[material.floor]\nreflectance = 0.7\nexponent = 10\nspecular = " +
+                            specular + "\n");
+}
+
+TEST(Precompute, SaysWhatItMakesOfGloss) {
+    const ScratchFolder folder;
+    const ProgramRun run = lightwell({"precompute", glossy_scene(folder, "0.2"), "-o",
+                                      folder / "g.gto", "--error", "0.3", "--attempts", "0"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err,
+              "lightwell: warning: 'floor': glossy; light is computed as if the surface were "
+              "diffuse with the "
+              "same mean albedo, without reflections that depend on direction\n");
+}
+
+TEST(Precompute, RefusesOrScalesWhatMakesLight) {
+    const ScratchFolder folder;
+    Words words = {"precompute", glossy_scene(folder, "0.5"),
+                   "-o",         folder / "g.gto",
+                   "--error",    "0.3",
+                   "--attempts", "0"};
+    const ProgramRun refused = lightwell(words);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("reflects more light than it receives: 1.2 of the red at 0 degrees"),
+              std::string::npos)
+        << refused.err;
+    words.emplace_back("--scale-albedo");
+    const ProgramRun scaled = lightwell(words);
+    EXPECT_EQ(scaled.status, 0) << scaled.err;
+    EXPECT_NE(scaled.err.find("are scaled by 0.8333"), std::string::npos) << scaled.err;
+}
+
 TEST(Precompute, SummaryGoesToStandardOutputAndNothingToTheOther) {
     const ScratchFolder folder;
     const ProgramRun run =

@@ -84,6 +84,9 @@ CLI::App* add_precompute(CLI::App& app, Requests& requests) {
               [&options](const std::string& text) {
                   options.max_memory = memory_argument("--max-memory", text);
               });
+    command->add_flag_callback(
+        "--scale-albedo", [&request] { request.above_one = AlbedoAboveOne::scale; },
+        "scale down materials that reflect more light than they receive, instead of refusing them");
     command->add_flag("--json", request.json, "print the report as one JSON object");
     command->add_flag("-q,--quiet", request.quiet, "print nothing but errors, and --json");
     command->add_flag_callback(

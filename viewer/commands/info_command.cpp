@@ -214,7 +214,7 @@ void run_info(const InfoRequest& request) {
         print_result(request.json ? printed(operator_json(info))
                                   : operator_text(request.subject, info));
     } else {
-        const ReadScene read = read_scene_argument(request.subject);
+        const ReadScene read = read_scene_argument(request.subject, AlbedoAboveOne::scale);
         print_result(request.json ? printed(reading_json(read)) : reading_text(read));
     }
 }

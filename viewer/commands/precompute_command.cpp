@@ -9,6 +9,8 @@
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/operator/operator_file.h"
+#include "radiance4d/scene/brdf.h"
+#include "solver/reading/input_file.h"
 #include "viewer/commands/output.h"
 #include "viewer/commands/precompute_report.h"
 #include "viewer/commands/progress_line.h"
@@ -48,6 +50,18 @@ std::string options_json(const PrecomputeOptions& options) {
     return json.dump();
 }
 
+/// Says which materials are simpler in the computation than in the scene.
+void warn_of_gloss(const Scene& scene) {
+    std::string names;
+    for (const Material& material : scene.materials)
+        if (is_glossy(material)) names += (names.empty() ? "" : ", ") + in_quotes(material.name);
+    if (!names.empty())
+        print_message(fmt::format(
+            "warning: {}: glossy; light is computed as if the surface were diffuse with the same "
+            "mean albedo, without reflections that depend on direction",
+            names));
+}
+
 GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
                         PrecomputeReport& report) {
     std::optional<ProgressLine> line;
@@ -69,11 +83,13 @@ GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
 void run_precompute(const PrecomputeRequest& request) {
     require_writable(request.output);
     PrecomputeReport report;
-    const ReadScene read =
-        timed(report.seconds, "reading", [&] { return read_scene_argument(request.scene); });
+    const ReadScene read = timed(report.seconds, "reading", [&] {
+        return read_scene_argument(request.scene, request.above_one);
+    });
     if (!request.quiet)
         for (const Warning& warning : read.report.warnings)
             print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
+    warn_of_gloss(read.scene);
 
     GlobalTransport transport = compute(read.scene, request, report);
     transport.provenance.program = "lightwell " LIGHTWELL_VERSION;

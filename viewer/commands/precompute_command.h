@@ -3,6 +3,7 @@
 #include <string>
 
 #include "solver/precompute.h"
+#include "solver/reading/material_choice.h"
 
 namespace lightwell {
 
@@ -11,6 +12,7 @@ struct PrecomputeRequest {
     std::string scene;   ///< a scene file, a geometry file, or a folder with a scene.toml
     std::string output;  ///< the .gto file to write
     PrecomputeOptions options;
+    AlbedoAboveOne above_one = AlbedoAboveOne::refuse;
     bool json = false;     ///< the report as JSON
     bool quiet = false;    ///< no report for people, no warnings, no progress
     bool progress = true;  ///< a progress line, where standard error is a terminal

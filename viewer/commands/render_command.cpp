@@ -8,6 +8,7 @@
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
+#include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/direct_light.h"
 #include "runtime/outgoing/gathered_surfaces.h"
 #include "runtime/propagation/lighting.h"
@@ -36,7 +37,8 @@ class LitSurfaces {
         : opened_(opened),
           lights_(std::move(lights)),
           view_(request.view),
-          direct_(opened.transport.scene, opened.visibility, opened.occluders) {
+          direct_(opened.transport.scene, opened.visibility, opened.occluders),
+          albedo_(mean_albedos(opened.transport.scene.materials)) {
         if (view_ == View::direct) return;
         const Lighting lighting = light_scene(opened.transport, lights_, opened.quads,
                                               opened.occluders, Propagation::solved);
@@ -52,7 +54,7 @@ class LitSurfaces {
         const Material& material = opened_.transport.scene.material_of(quad);
         Rgb luminance = Rgb::Zero();
         if (front || material.reflecting == Sides::both)
-            luminance += material.reflectance / M_PI * light;
+            luminance += albedo_[opened_.transport.scene.material_number(quad)] / M_PI * light;
         if (view_ != View::indirect && (front || material.emitting == Sides::both))
             luminance += material.emission;
         return luminance;
@@ -91,6 +93,7 @@ class LitSurfaces {
     std::vector<Light> lights_;
     View view_;
     DirectLight direct_;
+    std::vector<Rgb> albedo_;  ///< mean, by material
     std::vector<SmoothSurface> indirect_;
 };
 

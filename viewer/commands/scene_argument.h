@@ -8,6 +8,6 @@ namespace lightwell {
 
 /// The scene that a user names: a scene file, a geometry file, or a folder with a scene.toml.
 /// @throws as read_scene
-ReadScene read_scene_argument(const std::string& path);
+ReadScene read_scene_argument(const std::string& path, AlbedoAboveOne above_one);
 
 }  // namespace lightwell

@@ -114,6 +114,20 @@ TEST_F(Damage, InManyPlacesIsToldOfTheFirst) {
         ASSERT_TRUE(contains(refusal_of(damaged), "chunk DTOI")) << refusal();
 }
 
+// The lobes of the sample's two materials: none, one byte, then Phong's: its kind, three
+// reflectances, the exponent.
+TEST_F(Damage, OfLobesIsNamed) {
+    GlobalTransport glossy = sample_transport();
+    glossy.scene.materials[1].lobe = PhongLobe{Rgb::Constant(0.5), 10};
+    write_operator_file(good_, glossy);
+    EXPECT_TRUE(contains(refusal_with("LOBE", 1, std::uint8_t{3}), "LOBE")) << refusal();
+    EXPECT_TRUE(contains(refusal_with("LOBE", 2, 1.5), "its lobe is not in [0,1]")) << refusal();
+    EXPECT_TRUE(contains(refusal_with("LOBE", 26, -1.0), "exponent")) << refusal();
+    EXPECT_TRUE(contains(refusal_with("LOBE", 26, 11.0), "another scene")) << refusal();
+    EXPECT_TRUE(contains(refusal_with("LOBE", [](auto& content) { content.pop_back(); }), "LOBE"));
+    EXPECT_TRUE(contains(refusal_with("LOBE", [](auto& content) { content += '\0'; }), "LOBE"));
+}
+
 TEST_F(Damage, ByTextTransferIsNamed) {
     std::string damaged = bytes_;
     damaged.erase(4, 1);

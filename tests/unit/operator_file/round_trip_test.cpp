@@ -18,6 +18,11 @@ class RoundTrip : public ::testing::Test {
         return read_operator_file(path_);
     }
 
+    std::size_t chunks_of(const GlobalTransport& transport) const {
+        write_operator_file(path_, transport);
+        return inspect_operator_file(path_).chunks.size();
+    }
+
     TemporaryFolder folder_;
     std::string path_ = folder_.file("room.gto");
 };
@@ -68,6 +73,22 @@ TEST_F(RoundTrip, KeepsSurfaces) {
         EXPECT_EQ(a.face, b.face);
         EXPECT_EQ(a.line, b.line);
     }
+}
+
+TEST_F(RoundTrip, KeepsLobes) {
+    GlobalTransport transport = sample_transport();
+    const std::size_t chunks = chunks_of(transport);
+    transport.scene.materials[0].reflectance = Rgb(0.1, 0.2, 0.3);
+    transport.scene.materials[0].lobe = GgxLobe{Rgb(0.5, 0.25, 0.125), 0.3};
+    EXPECT_EQ(chunks_of(transport), chunks + 1);
+    transport.scene.materials[1].lobe = PhongLobe{Rgb(0.75, 0.5, 0.25), 1.0 / 3};
+    const Scene read = through_file(transport).scene;
+    const auto& ggx = std::get<GgxLobe>(read.materials[0].lobe);
+    EXPECT_TRUE((ggx.reflectance == Rgb(0.5, 0.25, 0.125)).all());
+    EXPECT_EQ(ggx.roughness, 0.3);
+    const auto& phong = std::get<PhongLobe>(read.materials[1].lobe);
+    EXPECT_TRUE((phong.reflectance == Rgb(0.75, 0.5, 0.25)).all());
+    EXPECT_EQ(phong.exponent, 1.0 / 3);
 }
 
 TEST_F(RoundTrip, KeepsSurroundings) {
@@ -221,6 +242,9 @@ TEST(SceneHash, IsOfSurfacesOnly) {
     EXPECT_EQ(scene_hash(other), scene_hash(scene));
     other.materials[0].reflectance[1] = 0.51;
     EXPECT_NE(scene_hash(other), scene_hash(scene));
+    other = scene;
+    other.materials[1].lobe = PhongLobe{Rgb::Constant(0.5), 10};
+    EXPECT_NE(scene_hash(other), scene_hash(scene));
 }
 
 // What a reader would refuse is our own mistake when it is written.
@@ -236,6 +260,11 @@ TEST_F(RoundTrip, RefusesToWriteNonsense) {
     expect_refusal([](auto& t) { t.channel[2] = 2; });
     expect_refusal([](auto& t) { t.indirect.clear(); });
     expect_refusal([](auto& t) { t.scene.materials[0].reflectance[0] = 1.01; });
+    expect_refusal([](auto& t) { t.scene.materials[1].lobe = PhongLobe{Rgb::Constant(0.5), -1}; });
+    expect_refusal([](auto& t) { t.scene.materials[1].lobe = GgxLobe{Rgb::Constant(0.5), 0}; });
+    expect_refusal([](auto& t) { t.scene.materials[1].lobe = GgxLobe{Rgb::Constant(1.5), 1}; });
+    // Each part in [0,1], their sum is not.
+    expect_refusal([](auto& t) { t.scene.materials[0].lobe = PhongLobe{Rgb::Constant(0.5), 9}; });
     expect_refusal([](auto& t) { t.scene.quads[0].quad.vertex[1][0] += 1e-9; });
     expect_refusal([](auto& t) { t.provenance.error_asked = INFINITY; });
     expect_refusal([](auto& t) {

@@ -37,16 +37,30 @@ TEST(MtlReader, ReadsReflectanceAndLuminance) {
     EXPECT_TRUE(warnings.empty());
 }
 
+TEST(MtlReader, ReadsTheHighlight) {
+    std::vector<Warning> warnings;
+    const auto materials = read(
+        "newmtl a\nKs 0.1 0.2 0.3\nNs 32\n\nillum 2\nnewmtl b\nKs 0.5\nillum 1\nNs 4\n"
+        "newmtl c\nKs 0.5\nNs 4\nnewmtl d\nillum 0\nKs 1\n",
+        warnings);
+    ASSERT_EQ(materials.size(), 4u);
+    EXPECT_TRUE((*materials[0].specular == Rgb(0.1, 0.2, 0.3)).all());
+    EXPECT_EQ(*materials[0].exponent, 32);
+    EXPECT_FALSE(materials[0].roughness);
+    EXPECT_FALSE(materials[1].specular);  // lighting model 1 has no highlight
+    EXPECT_TRUE((*materials[2].specular == 0.5).all());
+    EXPECT_FALSE(materials[3].specular);  // nor has 0
+    EXPECT_TRUE(warnings.empty());
+}
+
 TEST(MtlReader, WarnsOfWhatItLeavesOut) {
     std::vector<Warning> warnings;
-    read("newmtl a\nKd 0 0 0\nKs 0.1 0 0\nmap_Kd my tile.png\nd 0.5\nnewmtl b\nKs spectral x\n",
-         warnings);
-    ASSERT_EQ(warnings.size(), 3u);
+    read("newmtl a\nKd 0 0 0\nmap_Kd my tile.png\nd 0.5\nnewmtl b\nd 0\n", warnings);
+    ASSERT_EQ(warnings.size(), 2u);
     EXPECT_EQ(warnings[0].place.line, 3);
-    EXPECT_EQ(warnings[0].message,
-              "gloss (Ks) is not read: the surface is taken as diffuse (also at line 7)");
     EXPECT_EQ(warnings[1].place.line, 4);
-    EXPECT_EQ(warnings[2].place.line, 5);
+    EXPECT_EQ(warnings[1].message,
+              "transparency (d) is not read: the surface is taken as opaque (also at line 6)");
 }
 
 TEST(MtlReader, RefusesImpossibleValuesWithTheirPlace) {
@@ -54,6 +68,10 @@ TEST(MtlReader, RefusesImpossibleValuesWithTheirPlace) {
               "a.mtl:2:1: reflectance Kd 1.2 0 0 is not within 0 and 1");
     EXPECT_EQ(error_of("newmtl a\nKd 0 0 -0.1\n"),
               "a.mtl:2:1: reflectance Kd 0 0 -0.1 is not within 0 and 1");
+    EXPECT_EQ(error_of("newmtl a\nKs 0 0 1.1\n"),
+              "a.mtl:2:1: reflectance Ks 0 0 1.1 is not within 0 and 1");
+    EXPECT_EQ(error_of("newmtl a\nNs -1\n"), "a.mtl:2:1: exponent Ns -1 is not within 0 and 10000");
+    EXPECT_EQ(error_of("newmtl a\nNs\n"), "a.mtl:2:3: the exponent is missing");
     EXPECT_EQ(error_of("newmtl a\n  Ke 1 -2 0\n"),
               "a.mtl:2:3: emitted luminance Ke 1 -2 0 is negative or too large");
     EXPECT_EQ(error_of("newmtl a\nKd spectral a.rfl\n"), "a.mtl:2:4: 'spectral' is not a number");

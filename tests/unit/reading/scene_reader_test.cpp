@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/brdf.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
@@ -161,6 +162,77 @@ TEST_F(SceneReader, TakesTheDefaultMaterialWhereThereIsOne) {
               "no description of material 'blue': the default 'plaster' is taken");
 }
 
+TEST_F(SceneReader, ReadsLobesOfBothKinds) {
+    folder.write("room.mtl",
+                 "newmtl red\nKd 0.4\nKs 0.1 0.2 0.3\nNs 20\nnewmtl lamp\nKd 0.1\nKs 0.5\n");
+    const Scene bare = read_scene(folder.path("room.obj")).scene;
+    const auto* phong = std::get_if<PhongLobe>(&bare.material_of(0).lobe);
+    ASSERT_NE(phong, nullptr);
+    EXPECT_TRUE((phong->reflectance == Rgb(0.1, 0.2, 0.3)).all());
+    EXPECT_EQ(phong->exponent, 20);
+    // A highlight without an exponent has no shape.
+    EXPECT_TRUE(std::holds_alternative<NoLobe>(bare.material_of(1).lobe));
+
+    // The scene file gives the shape, the MTL file the reflectance, and the other way round.
+    const Scene scene = this->read(
+                                "geometry = \"room.obj\"\n[material.red]\nroughness = 0.3\n"
+                                "[material.lamp]\nspecular = [0.2, 0.3, 0.4]\nexponent = 7\n")
+                            .scene;
+    const auto* ggx = std::get_if<GgxLobe>(&scene.material_of(0).lobe);
+    ASSERT_NE(ggx, nullptr);
+    EXPECT_TRUE((ggx->reflectance == Rgb(0.1, 0.2, 0.3)).all());
+    EXPECT_EQ(ggx->roughness, 0.3);
+    phong = std::get_if<PhongLobe>(&scene.material_of(1).lobe);
+    ASSERT_NE(phong, nullptr);
+    EXPECT_TRUE((phong->reflectance == Rgb(0.2, 0.3, 0.4)).all());
+    EXPECT_EQ(phong->exponent, 7);
+}
+
+TEST_F(SceneReader, SaysWhichHighlightsHaveNoShape) {
+    folder.write("room.mtl", "newmtl red\nKd 0.4\nKs 0.1\nnewmtl lamp\nKd 0\n");
+    const ReadScene read = read_scene(folder.path("room.obj"));
+    ASSERT_EQ(read.report.warnings.size(), 1u);
+    EXPECT_EQ(read.report.warnings[0].place.line, 1);
+    EXPECT_EQ(read.report.warnings[0].message,
+              "material 'red' has a specular reflectance, but no exponent and no roughness: it is "
+              "taken as diffuse");
+}
+
+TEST_F(SceneReader, RefusesMaterialsThatMakeLight) {
+    folder.write("room.mtl", "newmtl red\nKd 0.7 0.725 0.2\nKs 0.3\nNs 32\nnewmtl lamp\nKd 0\n");
+    EXPECT_EQ(input_error_of([&] { read_scene(folder.path("room.obj")); }),
+              "room.mtl:1:8: material 'red' reflects more light than it receives: 1.025 of the "
+              "green at 0 degrees from the normal; --scale-albedo takes the scene all the same");
+    const ReadScene scaled = read_scene(folder.path("room.obj"), AlbedoAboveOne::scale);
+    EXPECT_NEAR(scaled.scene.material_of(0).reflectance[1], 0.725 / 1.025, 1e-9);
+    EXPECT_NEAR(lobe_reflectance(scaled.scene.material_of(0).lobe)[0], 0.3 / 1.025, 1e-9);
+    ASSERT_EQ(scaled.report.warnings.size(), 1u);
+    EXPECT_EQ(scaled.report.warnings[0].message,
+              "material 'red' reflects more light than it receives: 1.025 of the green at 0 "
+              "degrees from the normal; diffuse and specular reflectance are scaled by 0.9756");
+    // Rough facets hide each other at the normal, not at grazing angles.
+    const auto rough = [&](double diffuse) {
+        return this->read(
+            "geometry = \"room.obj\"\n[material.red]\nspecular = 0.5\nroughness = 1\n"
+            "reflectance = " +
+            std::to_string(diffuse) + "\n");
+    };
+    EXPECT_NO_THROW(rough(0.45));
+    EXPECT_NE(input_error_of([&] { rough(0.8); }).find("of the red at 89 degrees"),
+              std::string::npos);
+}
+
+TEST_F(SceneReader, RefusesLobesOfNoShapeOrTwo) {
+    EXPECT_EQ(error_after_geometry("[material.red]\nroughness = 0\n"),
+              "scene.toml:3:13: roughness 0 is not within 0.01 and 1");
+    EXPECT_EQ(error_after_geometry("[material.red]\nexponent = -1\n"),
+              "scene.toml:3:12: exponent -1 is not within 0 and 10000");
+    EXPECT_EQ(error_after_geometry("[material.red]\nspecular = 2\n"),
+              "scene.toml:3:12: specular [2, 2, 2] is not within 0 and 1");
+    EXPECT_EQ(error_after_geometry("[material.red]\nexponent = 3\nroughness = 0.5\n"),
+              "scene.toml:4:13: a lobe has an exponent (Phong) or a roughness (GGX), not both");
+}
+
 TEST_F(SceneReader, WarnsOfMaterialsThatNothingUses) {
     const ReadScene read =
         this->read("geometry = \"room.obj\"\n[material.Red]\nreflectance = 0.1\n");
@@ -187,7 +259,7 @@ TEST_F(SceneReader, RefusesUnknownKeysWithTheirPlace) {
               "geometry, light, material, name, sensors, unit, up");
     EXPECT_EQ(error_after_geometry("[material.red]\n  gloss = 1\n"),
               "scene.toml:3:3: unknown key 'gloss' in [material.red]; known here: emission, "
-              "emission_sides, reflectance, sides");
+              "emission_sides, exponent, reflectance, roughness, sides, specular");
     EXPECT_EQ(error_after_geometry("[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\n"
                                    "intensity = 1\ninner_angle = 3\n"),
               "scene.toml:6:1: unknown key 'inner_angle' in [[light]]; known here: intensity, "

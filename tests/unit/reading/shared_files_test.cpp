@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/brdf.h"
 #include "solver/reading/scene_reader.h"
 #include "tests/unit/reading/files.h"
 
@@ -158,6 +159,42 @@ TEST(SharedFiles, TheMcGuireBoxKeepsItsMaterials) {
             EXPECT_TRUE((material.reflectance == Rgb(0.63, 0.065, 0.05)).all());
         }
     }
+}
+
+// The box names the materials of its sister, in which the sphere has Kd 0.663 and Ks 0.9.
+TEST(SharedFiles, TheGlossyMcGuireBoxIsRefusedOrScaled) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    const std::string file =
+        (*shared / "scenes/cornell-mcguire/CornellBox-Glossy-Floor.obj").string();
+    const std::string refusal = testing::input_error_of([&] { read_scene(file); });
+    EXPECT_NE(refusal.find("1.563 of the blue at 0 degrees"), std::string::npos) << refusal;
+    const ReadScene read = read_scene(file, AlbedoAboveOne::scale);
+    int phongs = 0;
+    for (const Material& material : read.scene.materials) {
+        EXPECT_LE(albedo_peak(material).albedo, 1 + 1e-9) << material.name;
+        if (std::holds_alternative<PhongLobe>(material.lobe)) ++phongs;
+    }
+    EXPECT_EQ(phongs, 2);
+}
+
+// Its own materials, which it does not name: Kd 0.725 and Ks 0.3 of the floor make 1.025.
+TEST(SharedFiles, TheGlossyMcGuireFloorIsScaled) {
+    const auto shared = testing::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared folder beside the checkout (LIGHTWELL_SHARED)";
+    std::vector<Warning> warnings;
+    const auto file = *shared / "scenes/cornell-mcguire/CornellBox-Glossy-Floor.mtl";
+    PolygonSoup soup;
+    soup.file = file.string();
+    soup.material_libraries.push_back({"CornellBox-Glossy-Floor.mtl", Place{file.string()}});
+    soup.materials.push_back({"floor", Place{file.string()}});
+    EXPECT_THROW(choose_materials(soup, {}, "", AlbedoAboveOne::refuse, warnings), InputError);
+    const MaterialChoice choice = choose_materials(soup, {}, "", AlbedoAboveOne::scale, warnings);
+    ASSERT_EQ(choice.materials.size(), 1u);
+    EXPECT_NEAR(choice.materials[0].reflectance[0], 0.725 / 1.025, 1e-9);
+    const auto& phong = std::get<PhongLobe>(choice.materials[0].lobe);
+    EXPECT_NEAR(phong.reflectance[0], 0.3 / 1.025, 1e-9);
+    EXPECT_EQ(phong.exponent, 32);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/gauss_rule.h"
 #include "solver/reference/path_tracer.h"
 #include "solver/reference/polygon_factor.h"
 #include "tests/shared_reference.h"
