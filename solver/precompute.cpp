@@ -9,19 +9,15 @@
 #include <fmt/format.h>
 
 #include "radiance4d/scene/brdf.h"
-#include "radiance4d/scene/occluder_tree.h"
-#include "radiance4d/scene/visibility.h"
+#include "solver/ground.h"
 #include "solver/reference/error_estimate.h"
-#include "solver/reference/random_lights.h"
+#include "solver/series/calibrated_truncation.h"
 #include "solver/series/light_ensemble.h"
-#include "solver/series/neumann_series.h"
-#include "solver/series/truncation.h"
+#include "solver/settings.h"
 #include "solver/transport/direct_transport.h"
 #include "solver/transport/elements.h"
-#include "solver/transport/geometric_oracle.h"
 #include "solver/transport/open_masks.h"
 #include "solver/transport/refiner.h"
-#include "solver/transport/variation_oracle.h"
 
 namespace lightwell {
 
@@ -47,72 +43,6 @@ class StageClock {
     std::map<std::string, double>& seconds_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-/// What follows from the error asked for, where it is not set by hand.
-struct Settings {
-    double cell_size;         ///< [m]
-    double oracle_tolerance;  ///< see the oracles
-    double truncation;        ///< relative error from left-out coefficients
-};
-
-/// First guesses, from measurements on the sample scenes: the error of a picture falls about as the
-/// square root of the oracle's tolerance and, being reconstructed smoothly, faster than the cells
-/// shrink.
-Settings settings_for(const PrecomputeOptions& options, double distance, std::size_t elements) {
-    Settings settings{};
-    settings.cell_size =
-        options.cell_size.value_or(0.09 * distance * std::pow(options.error / 0.05, 0.35));
-    const double crowding =
-        std::pow(16.0 / static_cast<double>(std::max<std::size_t>(elements, 16)), 0.15);
-    const double tolerance = options.oracle == OracleKind::geometric
-                                 ? 1e-4 * std::pow(options.error / 0.05, 1.5) * crowding
-                                 : options.error;
-    settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
-    settings.truncation = options.truncation.value_or(0.33 * options.error);
-    return settings;
-}
-
-/// Tightens what is not set by hand after an operator came out `missed` times as wrong as asked.
-void tighten(const PrecomputeOptions& options, double missed, Settings& settings) {
-    const double factor = std::clamp(0.9 / missed, 0.6, 0.9);
-    if (!options.oracle_tolerance) settings.oracle_tolerance *= factor * factor;
-    if (!options.truncation) settings.truncation *= factor;
-    if (!options.cell_size) settings.cell_size *= std::pow(factor, 0.25);
-}
-
-std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Settings& settings,
-                                    const std::vector<Quad>& quads, const Visibility& visibility,
-                                    double area) {
-    if (options.oracle == OracleKind::variation) {
-        VariationOracleOptions variation;
-        variation.sender_threshold = settings.oracle_tolerance;
-        variation.receiver_threshold = settings.oracle_tolerance;
-        return std::make_unique<VariationOracle>(variation, visibility);
-    }
-    GeometricOracleOptions geometric;
-    geometric.tolerance = settings.oracle_tolerance;
-    geometric.partial_tolerance = 2 * settings.oracle_tolerance;
-    return std::make_unique<GeometricOracle>(geometric, quads, visibility, area);
-}
-
-/// Where lights are expected: anywhere that there is room, in rooms rather than in the open. A
-/// scene without such a place, a single quad for example, has none; then nothing is weighed.
-std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibility, int count,
-                                  std::uint64_t seed) {
-    LightPlacement indoors;
-    indoors.surrounded = 0.6;
-    std::vector<Vec3> positions;
-    for (const LightPlacement& placement : {indoors, LightPlacement{}}) {
-        try {
-            for (const PointLight& light : random_lights(scene, visibility, count, seed, placement))
-                positions.push_back(light.position);
-            break;
-        } catch (const InputError&) {
-            positions.clear();
-        }
-    }
-    return positions;
-}
 
 /// Removes the elements that no link touches: they see nothing after all.
 void drop_unlinked(std::vector<Element>& elements, std::vector<bool>& closed,
@@ -156,56 +86,12 @@ SymmetricOperator mean_bounce(const std::vector<Element>& elements,
     return {to_operator(matrix)};
 }
 
-/// The threshold under which the coefficients of M may go for an error of `budget` over the
-/// ensemble. An unordered pair acts twice, so its weight is the root of both squares.
-double bounce_threshold(const std::vector<Coefficient>& coefficients, const Eigen::ArrayXd& weight,
-                        double budget) {
-    std::vector<double> magnitudes;
-    magnitudes.reserve(coefficients.size());
-    for (const Coefficient& c : coefficients)
-        magnitudes.push_back(std::abs(static_cast<double>(c.value)) *
-                             std::max(weight[c.row], weight[c.column]));
-    return threshold_for_budget(std::move(magnitudes), budget);
-}
-
-double series_threshold(const Eigen::SparseMatrix<double>& matrix, const Eigen::ArrayXd& weight,
-                        double budget) {
-    std::vector<double> magnitudes;
-    magnitudes.reserve(static_cast<std::size_t>(matrix.nonZeros()));
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
-            magnitudes.push_back(std::abs(it.value()) * weight[j]);
-    return threshold_for_budget(std::move(magnitudes), budget);
-}
-
-/// H for every distinct channel.
-void sum_series(const LightEnsemble& ensemble, double budget, const Progress& progress,
-                GlobalTransport& transport) {
-    const RadianceField rho = reflectance_of(transport.scene, transport.space);
-    TruncationRule rule;
-    rule.weight = ensemble.direct;
-    rule.is_mean.assign(transport.space.functions(), false);
-    for (const Element& element : transport.space.elements())
-        rule.is_mean[element.first] = true;
-    for (int c = 0; c < 3; ++c) {
-        for (int earlier = 0; earlier < c; ++earlier)
-            if ((rho.col(earlier) == rho.col(c)).all()) {
-                transport.channel[static_cast<std::size_t>(c)] =
-                    transport.channel[static_cast<std::size_t>(earlier)];
-            }
-        const bool is_new = c == 0 || !((rho.col(0) == rho.col(c)).all() ||
-                                        (c == 2 && (rho.col(1) == rho.col(c)).all()));
-        if (!is_new) continue;
-        const Eigen::SparseMatrix<double> one_bounce = to_matrix(transport.bounce, rho.col(c));
-        rule.threshold = series_threshold(one_bounce, rule.weight, 0.5 * budget);
-        NeumannSeries series = neumann_series(one_bounce, rule, progress);
-        rule.threshold =
-            std::max(rule.threshold, series_threshold(series.sum, rule.weight, budget));
-        transport.channel[static_cast<std::size_t>(c)] =
-            static_cast<int>(transport.indirect.size());
-        transport.indirect.push_back(to_operator(truncated(series.sum, rule)));
-        transport.provenance.bounces = std::max(transport.provenance.bounces, series.bounces);
-    }
+/// The values that belong to the scaling functions of whole elements.
+Eigen::ArrayXd of_means(const RadianceSpace& space, const Eigen::ArrayXd& by_function) {
+    Eigen::ArrayXd means(static_cast<Eigen::Index>(space.elements().size()));
+    for (std::size_t e = 0; e < space.elements().size(); ++e)
+        means[static_cast<Eigen::Index>(e)] = by_function[space.element(e).first];
+    return means;
 }
 
 /// Memory that a scene of so many cells takes, as measured: links and coefficients before
@@ -224,30 +110,6 @@ void require_memory(const std::vector<Element>& elements, std::uint64_t max_memo
                         static_cast<double>(max_memory) / 1073741824.0));
 }
 
-/// What does not depend on the settings.
-struct Ground {
-    explicit Ground(const Scene& the_scene)
-        : scene(the_scene), quads(quads_of(the_scene)), visibility(quads), occluders(quads) {}
-
-    static std::vector<Quad> quads_of(const Scene& scene) {
-        std::vector<Quad> quads;
-        for (const SceneQuad& q : scene.quads)
-            quads.push_back(q.quad);
-        return quads;
-    }
-
-    const Scene& scene;
-    std::vector<Quad> quads;
-    Visibility visibility;
-    OccluderTree occluders;
-    std::vector<Element> elements;  ///< not refined
-    std::vector<bool> closed;       ///< by element
-    double distance = 0;            ///< see typical_distance
-    std::vector<Vec3> positions;    ///< where lights can be
-    std::vector<Vec3> unseen;       ///< the same, for judging
-    std::uint64_t blind_sides = 0;
-};
-
 /// Surface points a light to judge at: fewer where the albedo makes the judge's paths long.
 int judged_points(const Scene& scene) {
     double albedo = 0;
@@ -256,27 +118,22 @@ int judged_points(const Scene& scene) {
     return std::clamp(static_cast<int>(1000 * (1 - albedo)), 24, 200);
 }
 
-/// 1. Elements: sides that can see something, and what they see.
-void survey(Ground& ground, OracleCost& cost, PrecomputeReport& report) {
-    constexpr int survey_rays = 256;
-    constexpr int ensemble_size = 48, judged = 8;
-    ground.elements = seeing_elements(ground.scene, ground.blind_sides);
-    std::vector<SideSurvey> sides =
-        survey_sides(ground.elements, ground.visibility, survey_rays, cost);
-    ground.positions = light_positions(ground.scene, ground.visibility, ensemble_size, 20060626);
-    ground.unseen = light_positions(ground.scene, ground.visibility, judged, 1);
-    report.inside_of_solids =
-        drop_inside_of_solids(ground.positions, ground.visibility, cost, ground.elements, sides);
-    for (const SideSurvey& side : sides)
-        ground.closed.push_back(side.escaped == 0);
-    ground.distance = typical_distance(ground.elements, sides);
+/// Direct light of the trial lights.
+TrialLights projected_trials(const RadianceSpace& space, const Ground& ground,
+                             const Progress& progress) {
+    std::vector<Eigen::ArrayXd> fields;
+    for (const Vec3& position : ground.tried) {
+        progress.check();
+        fields.push_back(white_light(space, position, ground.quads, ground.occluders));
+    }
+    return trial_lights(fields);
 }
 
 /// 2. to 5.: the operators for given settings.
 GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
                       const Settings& settings, const Progress& progress, OracleCost& cost,
                       StageClock& clock, PrecomputeReport& report) {
-    constexpr int most_levels = 6;
+    constexpr int most_levels = 9;
     std::vector<Element> elements = ground.elements;
     report.blind_sides = ground.blind_sides;
     set_cells(elements, settings.cell_size, most_levels);
@@ -309,21 +166,20 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
         direct_transport(transport.space, pairs, progress);
     report.coefficients_before = coefficients.size();
     clock.lap("operator");
-    Eigen::ArrayXd albedo(static_cast<Eigen::Index>(transport.space.elements().size()));
-    for (std::size_t e = 0; e < transport.space.elements().size(); ++e)
-        albedo[static_cast<Eigen::Index>(e)] =
-            ground.scene.material_of(transport.space.element(e).quad).reflectance.mean();
+    const Eigen::ArrayXd albedo = reflectance_of(ground.scene, transport.space).rowwise().mean();
     const LightEnsemble ensemble =
-        light_ensemble(transport.space, ground.quads, ground.occluders, ground.positions,
-                       mean_bounce(transport.space.elements(), pairs), albedo, progress);
+        light_ensemble(transport.space, ground.quads, ground.occluders, ground.expected,
+                       mean_bounce(transport.space.elements(), pairs),
+                       of_means(transport.space, albedo), progress);
+    const TrialLights tried = projected_trials(transport.space, ground, progress);
     clock.lap("ensemble");
-    transport.bounce =
-        truncated(transport.space, closed, coefficients, ensemble.total,
-                  bounce_threshold(coefficients, ensemble.total, 0.5 * settings.truncation));
+    const TruncationTarget target{0.5 * settings.truncation, settings.truncation};
+    transport.bounce = truncated_bounce(transport.space, closed, coefficients, ensemble.total,
+                                        tried, albedo, target, progress);
     clock.lap("operator");
 
     // 5. The global transport operator.
-    sum_series(ensemble, settings.truncation, progress, transport);
+    sum_series(ensemble.direct, tried, target, progress, transport);
     clock.lap("series");
     report.elements = transport.space.elements().size();
     report.cells = transport.space.functions();
@@ -337,8 +193,9 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
                                    const Progress& progress, PrecomputeReport& report) {
     StageClock clock(report.seconds);
     OracleCost cost;
-    Ground ground(scene);
-    survey(ground, cost, report);
+    // 1. Elements: sides that can see something, and what they see.
+    const Ground ground(scene, cost);
+    report.inside_of_solids = ground.inside_of_solids;
     clock.lap("elements");
 
     Settings settings = settings_for(options, ground.distance, ground.elements.size());

@@ -2,10 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+
+#include <Eigen/SparseCore>
 
 #include "radiance4d/operator/light_projection.h"
 
 namespace lightwell {
+
+Eigen::ArrayXd white_light(const RadianceSpace& space, const Vec3& position,
+                           const std::vector<Quad>& quads, const OccluderTree& occluders) {
+    PointLight light;
+    light.position = position;
+    light.intensity = Rgb::Ones();
+    return projected_lights(space, {light}, quads, occluders).col(0);
+}
 
 namespace {
 
@@ -22,6 +34,28 @@ Eigen::ArrayXd mean_indirect(const SymmetricOperator& mean_bounce,
     return indirect;
 }
 
+/// No function is expected to stay dark: a light may come to stand where none of the ensemble did.
+/// Raises every weight to a share of the root mean square over the functions of like support.
+void raise_to_floor(const RadianceSpace& space, Eigen::ArrayXd& weight) {
+    constexpr double share = 0.1;
+    std::vector<int> size_class(static_cast<std::size_t>(weight.size()));
+    std::map<int, std::pair<double, double>> squares_and_count;
+    for (const Element& element : space.elements()) {
+        const CellTree& tree = element.space.tree();
+        for (std::uint32_t f = 0; f < tree.functions(); ++f) {
+            const auto j = element.first + f;
+            size_class[j] = std::ilogb(element.space.area(tree.support(f)));
+            auto& [squares, count] = squares_and_count[size_class[j]];
+            squares += weight[j] * weight[j];
+            count += 1;
+        }
+    }
+    for (Eigen::Index j = 0; j < weight.size(); ++j) {
+        const auto& [squares, count] = squares_and_count[size_class[static_cast<std::size_t>(j)]];
+        weight[j] = std::max(weight[j], share * std::sqrt(squares / count));
+    }
+}
+
 }  // namespace
 
 LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>& quads,
@@ -30,36 +64,43 @@ LightEnsemble light_ensemble(const RadianceSpace& space, const std::vector<Quad>
                              const Eigen::ArrayXd& reflectance, const Progress& progress) {
     const auto n = static_cast<Eigen::Index>(space.functions());
     LightEnsemble ensemble{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
-    std::vector<Eigen::ArrayXd> direct, total;
-    std::vector<double> norm;
+    std::vector<Eigen::SparseVector<double>> direct;  // a light reaches a part of a large scene
+    std::vector<Eigen::ArrayXd> indirect;             // by element
     double squares = 0;
     for (const Vec3& position : positions) {
         progress.check();
-        PointLight light;
-        light.position = position;
-        light.intensity = Rgb::Ones();
-        direct.push_back(projected_lights(space, {light}, quads, occluders).col(0));
+        const Eigen::ArrayXd field = white_light(space, position, quads, occluders);
         Eigen::ArrayXd means(static_cast<Eigen::Index>(space.elements().size()));
         for (std::size_t e = 0; e < space.elements().size(); ++e)
-            means[static_cast<Eigen::Index>(e)] = direct.back()[space.element(e).first];
-        const Eigen::ArrayXd indirect = mean_indirect(mean_bounce, reflectance, means);
-        total.push_back(direct.back());
-        for (std::size_t e = 0; e < space.elements().size(); ++e)
-            total.back()[space.element(e).first] += indirect[static_cast<Eigen::Index>(e)];
-        norm.push_back(indirect.matrix().norm());
-        squares += norm.back() * norm.back();
+            means[static_cast<Eigen::Index>(e)] = field[space.element(e).first];
+        indirect.push_back(mean_indirect(mean_bounce, reflectance, means));
+        squares += indirect.back().square().sum();
+        direct.emplace_back(field.matrix().sparseView());
+        progress.say("ensemble",
+                     static_cast<double>(direct.size()) / static_cast<double>(positions.size()));
     }
+    if (!(squares > 0)) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
     // A light that almost nothing reflects must not count for more than the others.
-    const double least =
-        0.5 * std::sqrt(squares / static_cast<double>(std::max<std::size_t>(norm.size(), 1)));
-    const auto counted = static_cast<double>(squares > 0 ? norm.size() : 0);
-    for (std::size_t k = 0; k < norm.size() && squares > 0; ++k) {
-        ensemble.direct += (direct[k] / std::max(norm[k], least)).square();
-        ensemble.total += (total[k] / std::max(norm[k], least)).square();
+    const auto count = static_cast<double>(direct.size());
+    const double least = 0.5 * std::sqrt(squares / count);
+    for (std::size_t k = 0; k < direct.size(); ++k) {
+        const double norm = std::max(indirect[k].matrix().norm(), least);
+        const double scale = 1 / (norm * norm * count);
+        for (Eigen::SparseVector<double>::InnerIterator it(direct[k]); it; ++it) {
+            ensemble.direct[it.index()] += scale * it.value() * it.value();
+            ensemble.total[it.index()] += scale * it.value() * it.value();
+        }
+        for (std::size_t e = 0; e < space.elements().size(); ++e) {
+            const std::uint32_t mean = space.element(e).first;
+            const double through = direct[k].coeff(mean);
+            const double all = through + indirect[k][static_cast<Eigen::Index>(e)];
+            ensemble.total[mean] += scale * (all * all - through * through);
+        }
     }
-    if (counted == 0) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
-    ensemble.direct = (ensemble.direct / counted).sqrt();
-    ensemble.total = (ensemble.total / counted).sqrt();
+    ensemble.direct = ensemble.direct.sqrt();
+    ensemble.total = ensemble.total.sqrt();
+    raise_to_floor(space, ensemble.direct);
+    raise_to_floor(space, ensemble.total);
     return ensemble;
 }
 

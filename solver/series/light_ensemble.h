@@ -19,6 +19,10 @@ struct LightEnsemble {
     Eigen::ArrayXd total;
 };
 
+/// One channel of the direct light of an isotropic point light of 1 cd.
+Eigen::ArrayXd white_light(const RadianceSpace& space, const Vec3& position,
+                           const std::vector<Quad>& quads, const OccluderTree& occluders);
+
 /// Projects white unit lights and takes root mean squares, each light scaled so that its indirect
 /// light, estimated on whole elements with `mean_bounce` (the coefficients of M between whole
 /// elements) and `reflectance` (by element), has norm one: then a weighted coefficient is an error

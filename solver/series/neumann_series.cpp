@@ -16,12 +16,6 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-bool kept(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value) {
-    return std::abs(value) * rule.weight[column] >= rule.threshold ||
-           (rule.is_mean[static_cast<std::size_t>(row)] &&
-            rule.is_mean[static_cast<std::size_t>(column)]);
-}
-
 /// One column of a matrix being put together.
 struct Column {
     std::vector<int> row;
@@ -70,10 +64,16 @@ double largest_weighted(const Sparse& matrix, const TruncationRule& rule) {
 
 }  // namespace
 
+bool is_kept(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value) {
+    return std::abs(value) * rule.weight[column] >= rule.threshold ||
+           (rule.is_mean[static_cast<std::size_t>(row)] &&
+            rule.is_mean[static_cast<std::size_t>(column)]);
+}
+
 Sparse truncated(const Sparse& matrix, const TruncationRule& rule) {
     Sparse result = matrix;
     result.prune([&](const Eigen::Index& row, const Eigen::Index& column, const double& value) {
-        return kept(rule, row, column, value);
+        return is_kept(rule, row, column, value);
     });
     return result;
 }
@@ -95,7 +95,7 @@ Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule&
             std::sort(sum.touched.begin(), sum.touched.end());
             for (const int row : sum.touched) {
                 const auto r = static_cast<std::size_t>(row);
-                if (kept(rule, row, static_cast<Eigen::Index>(j), sum.value[r])) {
+                if (is_kept(rule, row, static_cast<Eigen::Index>(j), sum.value[r])) {
                     columns[j].row.push_back(row);
                     columns[j].value.push_back(sum.value[r]);
                 }

@@ -20,6 +20,9 @@ struct TruncationRule {
     std::vector<bool> is_mean;
 };
 
+/// Whether the rule keeps a coefficient.
+bool is_kept(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value);
+
 /// The matrix without the coefficients that the rule drops.
 Eigen::SparseMatrix<double> truncated(const Eigen::SparseMatrix<double>& matrix,
                                       const TruncationRule& rule);

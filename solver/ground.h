@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "radiance4d/basis/radiance_space.h"
+#include "radiance4d/scene/occluder_tree.h"
+#include "radiance4d/scene/scene.h"
+#include "radiance4d/scene/visibility.h"
+#include "solver/transport/oracle.h"
+
+namespace lightwell {
+
+/// What a precomputation stands on, whatever the settings: who can be seen, which sides take part,
+/// and where lights can be.
+struct Ground {
+    /// Surveys the scene, which must outlive the object.
+    ///
+    /// @param cost  receives the rays
+    Ground(const Scene& scene, OracleCost& cost);
+
+    const Scene& scene;
+    std::vector<Quad> quads;
+    Visibility visibility;
+    OccluderTree occluders;
+    std::vector<Element> elements;  ///< sides that see something and lie in no solid; not refined
+    std::vector<bool> closed;       ///< by element: nothing escapes from it
+    double distance = 0;            ///< that light typically travels [m]
+    /// Places in rooms, each group independent of the others: where lights are expected, where
+    /// left-out coefficients are tried, and where the result is judged. A scene without room for a
+    /// light, a single quad for example, has none.
+    std::vector<Vec3> expected, tried, unseen;
+    std::uint64_t blind_sides = 0;       ///< sides dropped because they see no other side
+    std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids
+};
+
+}  // namespace lightwell

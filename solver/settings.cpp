@@ -1,0 +1,48 @@
+#include "solver/settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/transport/geometric_oracle.h"
+#include "solver/transport/variation_oracle.h"
+
+namespace lightwell {
+
+Settings settings_for(const PrecomputeOptions& options, double distance, std::size_t elements) {
+    Settings settings;
+    settings.cell_size =
+        options.cell_size.value_or(0.09 * distance * std::pow(options.error / 0.05, 0.35));
+    const double crowding =
+        std::sqrt(16.0 / static_cast<double>(std::max<std::size_t>(elements, 16)));
+    const double tolerance = options.oracle == OracleKind::geometric
+                                 ? 4e-5 * std::pow(options.error / 0.05, 1.5) * crowding
+                                 : options.error;
+    settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
+    settings.truncation = options.truncation.value_or(0.6 * options.error);
+    return settings;
+}
+
+void tighten(const PrecomputeOptions& options, double missed, Settings& settings) {
+    const double factor = std::clamp(0.9 / missed, 0.6, 0.9);
+    if (!options.oracle_tolerance) settings.oracle_tolerance *= factor * factor;
+    if (!options.truncation) settings.truncation *= factor;
+    if (!options.cell_size) settings.cell_size *= std::pow(factor, 0.25);
+}
+
+std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Settings& settings,
+                                    const std::vector<Quad>& quads, const Visibility& visibility,
+                                    double area) {
+    if (options.oracle == OracleKind::variation) {
+        VariationOracleOptions variation;
+        variation.sender_threshold = settings.oracle_tolerance;
+        variation.receiver_threshold = settings.oracle_tolerance;
+        return std::make_unique<VariationOracle>(variation, visibility);
+    }
+    GeometricOracleOptions geometric;
+    geometric.tolerance = settings.oracle_tolerance;
+    geometric.partial_tolerance = GeometricOracleOptions().partial_tolerance /
+                                  GeometricOracleOptions().tolerance * settings.oracle_tolerance;
+    return std::make_unique<GeometricOracle>(geometric, quads, visibility, area);
+}
+
+}  // namespace lightwell
