@@ -94,20 +94,34 @@ Eigen::ArrayXd of_means(const RadianceSpace& space, const Eigen::ArrayXd& by_fun
     return means;
 }
 
-/// Memory that a scene of so many cells takes, as measured: links and coefficients before
-/// truncation.
-void require_memory(const std::vector<Element>& elements, std::uint64_t max_memory) {
-    constexpr double bytes_a_cell = 9000;
+/// Memory [bytes] that a scene of so many cells takes, as measured: links and coefficients before
+/// truncation, and without truncation a dense operator with the products that lead to it.
+double memory_for(double cells, double truncation) {
+    constexpr double bytes_a_cell = 9000, bytes_a_pair_of_cells = 120;
+    return bytes_a_cell * cells + (truncation == 0 ? bytes_a_pair_of_cells * cells * cells : 0);
+}
+
+std::string memory_text(double bytes) {
+    const double mebibytes = bytes / 1048576;
+    return mebibytes < 1024 ? fmt::format("{:.0f} MiB", mebibytes)
+                            : fmt::format("{:.1f} GiB", mebibytes / 1024);
+}
+
+void require_memory(const std::vector<Element>& elements, double truncation,
+                    std::uint64_t max_memory) {
     double cells = 0;
     for (const Element& element : elements)
         cells += element.functions();
-    if (cells * bytes_a_cell > static_cast<double>(max_memory))
-        throw InputError(
-            fmt::format("the scene has {:.0f} cells at this error, which take about {:.1f} GiB; "
-                        "allowed are {:.1f} GiB "
-                        "(--max-memory). Ask for a larger --error, or allow more.",
-                        cells, cells * bytes_a_cell / 1073741824.0,
-                        static_cast<double>(max_memory) / 1073741824.0));
+    const double needed = memory_for(cells, truncation);
+    const auto allowed = static_cast<double>(max_memory);
+    if (needed <= allowed) return;
+    const bool by_truncation = memory_for(cells, 1) <= allowed;
+    throw InputError(fmt::format(
+        "the scene has {:.0f} cells at this error, which {}take about {}; allowed are {} "
+        "(--max-memory). {}, or allow more.",
+        cells, by_truncation ? "with --truncation 0 " : "", memory_text(needed),
+        memory_text(allowed),
+        by_truncation ? "Truncate the operator" : "Ask for a larger --error"));
 }
 
 /// Surface points a light to judge at: fewer where the albedo makes the judge's paths long.
@@ -137,7 +151,7 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     std::vector<Element> elements = ground.elements;
     report.blind_sides = ground.blind_sides;
     set_cells(elements, settings.cell_size, most_levels);
-    require_memory(elements, options.max_memory);
+    require_memory(elements, settings.truncation, options.max_memory);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     clock.lap("elements");
 

@@ -197,6 +197,83 @@ TEST_P(Interruption, StopsCleanlyAndLeavesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, ::testing::Values(SIGINT, SIGTERM));
 
+class LateInterruption : public ::testing::TestWithParam<const char*> {};
+
+// The terminal shows which stage is at work; the signal comes when it shows this one.
+TEST_P(LateInterruption, StopsCleanlyAndLeavesNothing) {
+    const ScratchFolder folder;
+    ProgramSetting setting;
+    setting.on_terminal = true;
+    setting.signal = SIGINT;
+    setting.signal_at = std::string("(") + GetParam() + ")";
+    const ProgramRun run = lightwell(
+        {"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error", "0.05"},
+        setting);
+    EXPECT_NE(run.err.find(setting.signal_at), std::string::npos) << run.err;
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find("lightwell: stopped on request"), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty()) << folder.names().front();
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, LateInterruption,
+                         ::testing::Values("operator", "series", "estimate"));
+
+TEST(Precompute, WhatWasThereOutlivesAnInterruption) {
+    const ScratchFolder folder;
+    const std::string output = folder.write("x.gto", "precious");
+    ProgramSetting setting;
+    setting.signal = SIGINT;
+    setting.signal_after = 0.3;
+    EXPECT_EQ(lightwell(long_work(output), setting).status, 3);
+    EXPECT_EQ(folder.names(), Words{"x.gto"});
+    EXPECT_EQ(contents(output), "precious");
+}
+
+TEST(Precompute, MoreMemoryThanAllowedIsToldBeforeTheWork) {
+    const ScratchFolder folder;
+    const ProgramRun run = lightwell(
+        {"precompute", sample_scene("maze"), "-o", folder / "x.gto", "--max-memory", "64M"});
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find("cells"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("allowed are 64 MiB"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("--max-memory"), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty());
+}
+
+// All pairs of cells exchange light by some way: without truncation the operator is dense.
+TEST(Precompute, WithoutTruncationTheMemoryOfADenseOperatorIsRequired) {
+    const ScratchFolder folder;
+    Words words = {"precompute",   sample_scene("cornell-box"),
+                   "-o",           folder / "x.gto",
+                   "--error",      "0.1",
+                   "--attempts",   "0",
+                   "--max-memory", "256M"};
+    EXPECT_EQ(lightwell(words).status, 0);
+    words.insert(words.end(), {"--truncation", "0"});
+    const ProgramRun refused = lightwell(words);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("--truncation 0"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("allowed are 256 MiB"), std::string::npos) << refused.err;
+    EXPECT_EQ(folder.names(), Words{"x.gto"});
+}
+
+TEST(Precompute, WithoutTruncationAWarningComesFirst) {
+    const ScratchFolder folder;
+    Words words = {"precompute",   sample_scene("corner"),
+                   "-o",           folder / "x.gto",
+                   "--error",      "0.5",
+                   "--attempts",   "0",
+                   "--cell-size",  "1",
+                   "--truncation", "0"};
+    const ProgramRun run = lightwell(words);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("warning: --truncation 0"), std::string::npos) << run.err;
+    words.push_back("-q");
+    EXPECT_EQ(lightwell(words).err, "");
+}
+
 TEST(Progress, IsShownOnATerminalOnly) {
     const ScratchFolder folder;
     ProgramSetting terminal;

@@ -20,8 +20,9 @@ namespace lightwell {
 
 namespace {
 
-/// What comes out of a descriptor until its other end is closed.
-std::string drained(int descriptor) {
+/// What comes out of a descriptor until its other end is closed; told to `heard` as it grows.
+template <typename Heard>
+std::string drained(int descriptor, const Heard& heard) {
     std::string text;
     char block[4096];
     for (;;) {
@@ -30,6 +31,7 @@ std::string drained(int descriptor) {
         // A terminal whose other end is closed fails instead of ending.
         if (count <= 0) break;
         text.append(block, static_cast<std::size_t>(count));
+        heard(text);
     }
     close(descriptor);
     return text;
@@ -70,13 +72,24 @@ ProgramRun lightwell(const std::vector<std::string>& arguments, const ProgramSet
     close(out[1]);
     close(err[1]);
     ProgramRun run;
-    std::thread reader([&] { run.err = drained(err[0]); });
-    std::thread signaller([&] {
-        if (setting.signal == 0) return;
-        std::this_thread::sleep_for(std::chrono::duration<double>(setting.signal_after));
-        kill(child, setting.signal);
+    // Sent at most once, and never to a process that was waited for: its number may be another's.
+    bool is_sent = setting.signal == 0;
+    const auto send = [&] {
+        if (!is_sent) kill(child, setting.signal);
+        is_sent = true;
+    };
+    std::thread reader([&] {
+        run.err = drained(err[0], [&](const std::string& text) {
+            if (!setting.signal_at.empty() && text.find(setting.signal_at) != std::string::npos)
+                send();
+        });
     });
-    run.out = drained(out[0]);
+    std::thread signaller([&] {
+        if (setting.signal == 0 || !setting.signal_at.empty()) return;
+        std::this_thread::sleep_for(std::chrono::duration<double>(setting.signal_after));
+        send();
+    });
+    run.out = drained(out[0], [](const std::string&) {});
     reader.join();
     signaller.join();
     int status = 0;

@@ -16,8 +16,9 @@ struct ProgramRun {
 
 /// How to run it.
 struct ProgramSetting {
-    int signal = 0;             ///< to send after `signal_after`, 0: none
-    double signal_after = 0;    ///< [s]
+    int signal = 0;             ///< to send, 0: none
+    double signal_after = 0;    ///< when [s]
+    std::string signal_at;      ///< or, if not empty, once standard error holds this text
     bool on_terminal = false;   ///< standard error is a terminal
     std::string out_file = "";  ///< where standard output goes instead
 };

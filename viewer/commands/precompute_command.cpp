@@ -90,6 +90,10 @@ void run_precompute(const PrecomputeRequest& request) {
         for (const Warning& warning : read.report.warnings)
             print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
     warn_of_gloss(read.scene);
+    if (!request.quiet && request.options.truncation == 0.0)
+        print_message(
+            "warning: --truncation 0 keeps every coefficient of every bounce: memory and file grow "
+            "with the square of the cells, time with their cube");
 
     GlobalTransport transport = compute(read.scene, request, report);
     transport.provenance.program = "lightwell " LIGHTWELL_VERSION;
