@@ -80,4 +80,11 @@ Rgb albedo_of(const Material& material, bool front) {
     return front || material.reflecting == Sides::both ? mean_albedo(material) : Rgb(Rgb::Zero());
 }
 
+double lamp_factor(const SurfacePoint& at, const Vec3& lamp) {
+    const Vec3 way = lamp - at.position;
+    const double cosine_times_distance = way.dot(at.normal);
+    const double distance = way.norm();
+    return cosine_times_distance > 0 ? cosine_times_distance / (distance * distance * distance) : 0;
+}
+
 }  // namespace lightwell

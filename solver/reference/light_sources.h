@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reference/surface_points.h"
 
 namespace lightwell {
 
@@ -46,5 +47,8 @@ class EmitterSet {
 Rgb emitted_from(const Material& material, bool front);
 /// Mean albedo of this side; a side that does not reflect is black. A quadrature on glossy sides.
 Rgb albedo_of(const Material& material, bool front);
+
+/// Cosine at a surface point over the squared distance to a lamp [1/m2]; 0 if it faces away.
+double lamp_factor(const SurfacePoint& at, const Vec3& lamp);
 
 }  // namespace lightwell

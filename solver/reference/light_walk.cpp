@@ -21,14 +21,6 @@ double geometry_factor(const SurfacePoint& a, const SurfacePoint& b) {
     return from > 0 && to > 0 ? from * to / (squared * squared) : 0;
 }
 
-/// Cosine at a surface point over the squared distance to a lamp [1/m2]; 0 if it faces away.
-double lamp_factor(const SurfacePoint& at, const Vec3& lamp) {
-    const Vec3 way = lamp - at.position;
-    const double cosine_times_distance = way.dot(at.normal);
-    const double distance = way.norm();
-    return cosine_times_distance > 0 ? cosine_times_distance / (distance * distance * distance) : 0;
-}
-
 /// The balance heuristic's weight for a way of density `mine` beside one of density `other`.
 double share(double mine, double other) {
     return other > 0 ? 1 / (1 + other / mine) : 1;

@@ -13,19 +13,6 @@ namespace lightwell {
 
 namespace {
 
-/// Mean and standard error of the mean of independent batch means.
-IrradianceEstimate from_batches(const std::vector<Rgb>& batch_means) {
-    const auto count = static_cast<double>(batch_means.size());
-    IrradianceEstimate result;
-    for (const Rgb& one : batch_means)
-        result.mean += one / count;
-    Rgb squares = Rgb::Zero();
-    for (const Rgb& one : batch_means)
-        squares += (one - result.mean).square();
-    result.standard_error = (squares / (count * (count - 1))).sqrt();
-    return result;
-}
-
 /// Standard error of luminance, taking the channels' errors as fully correlated (they share every
 /// ray), which overstates it if anything.
 double luminance_error(const IrradianceEstimate& estimate) {
@@ -58,7 +45,7 @@ IrradianceSurvey PathTracer::survey(const std::vector<SurfacePoint>& points, Lig
             }
             batch_means.push_back(sum / per_batch);
         }
-        result.at[p] = from_batches(batch_means);
+        result.at[p] = estimate_from_batches(batch_means);
         paths[p] = std::int64_t{per_batch} * how.batches;
     });
     for (std::size_t p = 0; p < points.size(); ++p) {

@@ -5,6 +5,7 @@
 
 #include "radiance4d/scene/scene.h"
 #include "radiance4d/scene/visibility.h"
+#include "solver/reference/light_estimate.h"
 #include "solver/reference/light_walk.h"
 #include "solver/reference/surface_points.h"
 
@@ -29,12 +30,8 @@ struct NoiseTarget {
     int most_samples = 1 << 20;  ///< per point, whatever the noise
 };
 
-/// Irradiance with its noise. Over repeated seeds the mean has no bias.
-struct IrradianceEstimate {
-    Rgb mean = Rgb::Zero();  ///< [lx]
-    Rgb standard_error =
-        Rgb::Zero();  ///< one standard deviation of the mean, from the batches [lx]
-};
+/// Irradiance with its noise [lx].
+using IrradianceEstimate = LightEstimate;
 
 struct IrradianceSurvey {
     std::vector<IrradianceEstimate> at;  ///< one per point, in the order asked
