@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -20,14 +19,6 @@ int sample_number(double at, std::uint32_t cells) {
     return std::clamp(static_cast<int>(8 * at * cells), 0, static_cast<int>(8 * cells) - 1);
 }
 
-/// Interpolated openness at which a mask is cut off: a little outside the half, since what is buried
-/// is never looked at but its rim is.
-constexpr double outline = 1.0 / 3;
-
-double between(double at_0, double at_1, double t) {
-    return at_0 + t * (at_1 - at_0);
-}
-
 bool bit_at(const Element& element, int x, int y) {
     const OpenMask mask = element.open[element.space.tree().finest_at(
         static_cast<std::uint32_t>(x / 8), static_cast<std::uint32_t>(y / 8))];
@@ -40,22 +31,6 @@ bool Element::is_sample_open(double u, double v) const {
     if (open.empty()) return true;
     const CellTree& tree = space.tree();
     return bit_at(*this, sample_number(u, tree.columns()), sample_number(v, tree.rows()));
-}
-
-bool Element::is_open(double u, double v) const {
-    if (open.empty()) return true;
-    const CellTree& tree = space.tree();
-    const int last_x = static_cast<int>(8 * tree.columns()) - 1;
-    const int last_y = static_cast<int>(8 * tree.rows()) - 1;
-    // Bilinear between the centres of samples, which turns the steps of their outline into a line.
-    const double x = 8 * u * tree.columns() - 0.5, y = 8 * v * tree.rows() - 0.5;
-    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-    const auto sample = [&](int column, int row) {
-        return bit_at(*this, std::clamp(column, 0, last_x), std::clamp(row, 0, last_y)) ? 1.0 : 0.0;
-    };
-    const double low = between(sample(i, j), sample(i + 1, j), x - i);
-    const double high = between(sample(i, j + 1), sample(i + 1, j + 1), x - i);
-    return between(low, high, y - j) > outline;
 }
 
 namespace {

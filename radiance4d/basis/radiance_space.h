@@ -34,9 +34,6 @@ struct Element {
     Quad cell(const Cell& cell) const;
     /// Whether light can reach the point (u,v): its bit of the mask.
     bool is_sample_open(double u, double v) const;
-    /// The same with a smooth outline: the mask's samples interpolated, cut off where a third of
-    /// them is open.
-    bool is_open(double u, double v) const;
     /// Sets `space` for a tree and `open` masks (or none).
     void set_space(const CellTree& tree, std::vector<OpenMask> masks);
 };

@@ -7,41 +7,69 @@ namespace lightwell {
 
 namespace {
 
-/// Gives buried cells the mean of their neighbours, ring by ring from the open ones, so that
-/// reconstruction does not pull the open cells beside them down to the darkness that nobody sees.
-void fill_buried(const Element& element, RadianceField& means) {
-    if (element.open.empty()) return;
-    const CellTree& tree = element.space.tree();
-    const int columns = static_cast<int>(tree.columns()), rows = static_cast<int>(tree.rows());
-    const auto cell = [&](int i, int j) {
-        return tree.finest_at(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-    };
-    std::vector<char> known(tree.functions());
-    for (std::uint32_t m = 0; m < tree.functions(); ++m)
-        known[m] = element.open[m] != 0 ? 1 : 0;
-    for (bool changed = true; changed;) {
-        changed = false;
-        std::vector<char> next = known;
-        for (int j = 0; j < rows; ++j) {
-            for (int i = 0; i < columns; ++i) {
-                if (known[cell(i, j)] != 0) continue;
-                Rgb sum = Rgb::Zero();
-                int count = 0;
-                for (int b = std::max(0, j - 1); b <= std::min(rows - 1, j + 1); ++b)
-                    for (int a = std::max(0, i - 1); a <= std::min(columns - 1, i + 1); ++a)
-                        if (known[cell(a, b)] != 0) {
-                            sum += means.row(cell(a, b)).transpose();
-                            ++count;
-                        }
-                if (count == 0) continue;
-                means.row(cell(i, j)) = (sum / count).transpose();
-                next[cell(i, j)] = 1;
-                changed = true;
+/// Gives buried cells values, ring by ring from the open ones, so that reconstruction does not pull
+/// the open cells beside them down to the darkness that nobody sees.
+class BuriedCells {
+  public:
+    BuriedCells(const Element& element, RadianceField& means)
+        : tree_(element.space.tree()),
+          columns_(static_cast<int>(tree_.columns())),
+          rows_(static_cast<int>(tree_.rows())),
+          means_(means) {
+        for (const OpenMask mask : element.open)
+            known_.push_back(mask != 0 ? 1 : 0);
+    }
+
+    void fill() {
+        for (bool changed = true; changed;) {
+            changed = false;
+            std::vector<char> next = known_;
+            for (int j = 0; j < rows_; ++j)
+                for (int i = 0; i < columns_; ++i)
+                    if (!is_known(i, j) && continues(i, j)) {
+                        next[cell(i, j)] = 1;
+                        changed = true;
+                    }
+            known_ = std::move(next);
+        }
+    }
+
+  private:
+    std::uint32_t cell(int i, int j) const {
+        return tree_.finest_at(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    }
+    bool is_known(int i, int j) const {
+        return i >= 0 && j >= 0 && i < columns_ && j < rows_ && known_[cell(i, j)] != 0;
+    }
+    Rgb mean(int i, int j) const { return means_.row(cell(i, j)).transpose(); }
+
+    /// Continues the eight lines that lead to a cell, linearly where two cells of one are known
+    /// (light often grows towards a foot), but not beyond half or twice the nearer one; takes the
+    /// mean. False if no neighbour is known.
+    bool continues(int i, int j) {
+        Rgb sum = Rgb::Zero();
+        int count = 0;
+        for (int b = -1; b <= 1; ++b) {
+            for (int a = -1; a <= 1; ++a) {
+                if (!is_known(i + a, j + b)) continue;  // the cell itself is not known
+                const Rgb near = mean(i + a, j + b);
+                sum +=
+                    is_known(i + 2 * a, j + 2 * b)
+                        ? Rgb((2 * near - mean(i + 2 * a, j + 2 * b)).max(0.5 * near).min(2 * near))
+                        : near;
+                ++count;
             }
         }
-        known = std::move(next);
+        if (count > 0) means_.row(cell(i, j)) = (sum / count).transpose();
+        return count > 0;
     }
-}
+
+    const CellTree& tree_;
+    int columns_;
+    int rows_;
+    RadianceField& means_;
+    std::vector<char> known_;  // by finest cell
+};
 
 }  // namespace
 
@@ -51,7 +79,7 @@ std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
     surfaces.reserve(space.elements().size());
     for (std::size_t e = 0; e < space.elements().size(); ++e) {
         RadianceField means = cell_irradiance(space, e, field);
-        fill_buried(space.element(e), means);
+        if (!space.element(e).open.empty()) BuriedCells(space.element(e), means).fill();
         surfaces.emplace_back(space.element(e).space.tree(), means);
     }
     return surfaces;

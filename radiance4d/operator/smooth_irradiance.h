@@ -7,8 +7,8 @@
 
 namespace lightwell {
 
-/// Smooth irradiance [lx] over every element, by element number. It holds where Element::is_open;
-/// buried parts are dark.
+/// Smooth irradiance [lx] over every element, by element number. Buried parts, which nobody sees,
+/// carry on what is around them.
 std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
                                              const RadianceField& field);
 

@@ -20,24 +20,25 @@ Rgb shown(const GlobalTransport& transport, const std::vector<SmoothSurface>& ir
     if (number < 0) return Rgb::Zero();
     const Element& element = transport.space.element(static_cast<std::size_t>(number));
     const Vec2 uv = element.geometry.parameters(point.position);
-    if (!element.is_open(uv[0], uv[1])) return Rgb::Zero();
     return irradiance[static_cast<std::size_t>(number)].at(uv[0], uv[1]);
 }
 
-/// Whether the point sees a side that takes part in transport, or the open: if not, it lies inside
-/// a solid or under its foot, where no picture shows it.
-bool is_visible(const RadianceSpace& space, const Visibility& visibility,
-                const SurfacePoint& point) {
+/// How well a point can be seen: the cosine-weighted share of the hemisphere over it that is open,
+/// or filled by sides that take part in transport. 0 inside a solid or under its foot; small in the
+/// gap behind a picture, where a picture of the room shows almost nothing.
+double visible_share(const RadianceSpace& space, const Visibility& visibility,
+                     const SurfacePoint& point) {
     constexpr int looks_along = 4;
+    int visible = 0;
     for (int i = 0; i < looks_along; ++i) {
         for (int j = 0; j < looks_along; ++j) {
             const Vec3 direction =
                 cosine_direction(point.normal, {(i + 0.5) / looks_along, (j + 0.5) / looks_along});
             const Hit hit = visibility.nearest(point.position, point.quad, direction);
-            if (!hit || space.element_on(hit.quad, hit.front) >= 0) return true;
+            if (!hit || space.element_on(hit.quad, hit.front) >= 0) ++visible;
         }
     }
-    return false;
+    return static_cast<double>(visible) / (looks_along * looks_along);
 }
 
 }  // namespace
@@ -82,13 +83,8 @@ ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector
         const std::vector<SmoothSurface> irradiance =
             smooth_irradiance(transport.space, gathered_light(transport, direct));
 
-        std::vector<SurfacePoint> points =
+        const std::vector<SurfacePoint> points =
             sample_surface(dark, sides, options.points, options.seed + k);
-        points.erase(std::remove_if(points.begin(), points.end(),
-                                    [&](const SurfacePoint& point) {
-                                        return !is_visible(transport.space, visibility, point);
-                                    }),
-                     points.end());
         PathTracing tracing;
         tracing.samples = 64;
         tracing.seed = options.seed + k;
@@ -101,10 +97,11 @@ ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector
         double squares = 0, reference = 0;
         for (std::size_t p = 0; p < points.size(); ++p) {
             const IrradianceEstimate& truth = judged.at[p];
-            squares +=
-                (shown(transport, irradiance, quads, points[p]) - truth.mean).square().sum() -
-                truth.standard_error.square().sum();
-            reference += truth.mean.square().sum() - truth.standard_error.square().sum();
+            const double weight = visible_share(transport.space, visibility, points[p]);
+            const double noise = truth.standard_error.square().sum();
+            const Rgb error = shown(transport, irradiance, quads, points[p]) - truth.mean;
+            squares += weight * (error.square().sum() - noise);
+            reference += weight * (truth.mean.square().sum() - noise);
         }
         // A light that nothing reflects has no relative error.
         if (reference > 0)

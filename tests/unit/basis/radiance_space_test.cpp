@@ -62,47 +62,12 @@ TEST(Element, MaskSamplesAreOpenOneByOne) {
             const double u = r.u0 + (i + 0.5) / 8 * (r.u1 - r.u0);
             const double v = r.v0 + (j + 0.5) / 8 * (r.v1 - r.v0);
             EXPECT_EQ(element.is_sample_open(u, v), i == 6 && j == 2) << i << "," << j;
-            EXPECT_EQ(element.is_open(u, v), i == 6 && j == 2) << i << "," << j;
         }
     }
-}
-
-TEST(Element, OutlineRunsASixthOfASampleOutsideTheOpenOnes) {
-    const CellTree tree({Split::u});
-    const Element element = element_on(0, true, tree, {0, all_open});
-    // Between the sample centres on either side of u = 1/2, openness grows from 0 to 1.
-    EXPECT_FALSE(element.is_sample_open(0.5 - 0.1 / 16, 0.5));
-    EXPECT_TRUE(element.is_open(0.5 - 0.16 / 16, 0.5));
-    EXPECT_FALSE(element.is_open(0.5 - 0.18 / 16, 0.5));
-    EXPECT_TRUE(element.is_open(1, 1));
-    EXPECT_FALSE(element.is_open(0, 0));
-}
-
-TEST(Element, OutlineOfAStaircaseIsALine) {
-    // Open above the diagonal of a cell: the outline keeps within a third of a sample of a parallel
-    // to it, where the samples' own steps leave it by a half and more.
-    const CellTree tree({Split::u});
-    OpenMask mask = 0;
-    for (int j = 0; j < 8; ++j)
-        for (int i = 0; i < j; ++i)
-            mask |= OpenMask{1} << (8 * j + i);
-    const Element element = element_on(0, true, tree, {mask, mask});
-    double nearest_open = 1, farthest_open = -1;
-    for (double along = 2; along < 6; along += 0.05) {
-        for (double across = -1.5; across < 1.5; across += 0.02) {
-            const double x = along + 0.5 * across, y = along - 0.5 * across;  // in samples
-            if (element.is_open(x / 16, y / 8))
-                farthest_open = std::max(farthest_open, across);
-            else
-                nearest_open = std::min(nearest_open, across);
-        }
-    }
-    EXPECT_LT(farthest_open - nearest_open, 0.35);
 }
 
 TEST(Element, WithoutMasksAllIsOpen) {
     const Element element = element_on(0, true, tree_a);
-    EXPECT_TRUE(element.is_open(0, 1));
     EXPECT_TRUE(element.is_sample_open(0.3, 0.7));
     EXPECT_NEAR(element.area(), testing::trapezoid().area(), 1e-14);
 }
