@@ -43,10 +43,10 @@ unsigned refine_by_variance(const LinkGeometry& link, const KernelVariation& var
 }
 
 /// Shares the exact exchange area of the whole link among its strata: by the kernel over all of
-/// each, times visibility over the open part of it.
+/// each, times the open share of each, times the share of that which is seen.
 void share(double whole, const LinkGeometry& link, const LinkChildren& children,
            const std::array<std::array<double, 4>, 4>& kernel,
-           const std::array<std::array<double, 4>, 4>& visible, LinkStrata& strata) {
+           const std::array<std::array<double, 4>, 4>& seen, LinkStrata& strata) {
     double sum = 0;
     std::array<double, 4> area_x{}, area_y{};
     for (int i = 0; i < children.receivers; ++i)
@@ -58,13 +58,12 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
             sum += kernel[i][j] * area_x[i] * area_y[j];
     // Where every sample looked away the facets are slivers: their exchange is spread evenly.
     const double even = 1.0 / (children.receivers * children.senders);
+    const OpenShares open = open_shares(link, children);
     double shared = 0;
     for (int i = 0; i < children.receivers; ++i) {
         for (int j = 0; j < children.senders; ++j) {
-            const double open = link.receiver->space.area(children.receiver[i]) *
-                                link.sender->space.area(children.sender[j]);
-            strata.exchange[i][j] = whole * (sum > 0 ? visible[i][j] * open / sum
-                                                     : even * open / (area_x[i] * area_y[j]));
+            const double part = sum > 0 ? kernel[i][j] * area_x[i] * area_y[j] / sum : even;
+            strata.exchange[i][j] = whole * part * open.receiver[i] * open.sender[j] * seen[i][j];
             shared += strata.exchange[i][j];
         }
     }
@@ -123,7 +122,10 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
     // not.
     const double whole = exchange_area(link.receiver_facet, link.sender_facet);
     if (!partial) {
-        share(whole, link, children, variation.value, variation.value, strata);
+        std::array<std::array<double, 4>, 4> all_seen{};
+        for (auto& row : all_seen)
+            row.fill(1);
+        share(whole, link, children, variation.value, all_seen, strata);
         return {Verdict::Act::keep, 0};
     }
     // A finest link that matters more than a link should, but cannot be refined, is sampled more.
@@ -135,7 +137,7 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
     const StratifiedSamples samples = sample_strata(
         link, children, (rays + strata_count - 1) / strata_count, softening, visibility_, cost);
     if (samples.highest == 0) return {Verdict::Act::drop, 0};
-    share(whole, link, children, samples.kernel, samples.visible, strata);
+    share(whole, link, children, samples.kernel, samples.seen, strata);
     strata.sampled = true;
     return {Verdict::Act::keep, 0};
 }

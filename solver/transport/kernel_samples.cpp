@@ -66,18 +66,47 @@ Vec2 in_rect(const ParameterRect& r, double a, double b) {
     return {r.u0 + a * (r.u1 - r.u0), r.v0 + b * (r.v1 - r.v0)};
 }
 
-/// Draws another point of the rectangle if this one is buried, until one is open; a rectangle that
-/// is all but buried is given up after a while. Whether the point moved.
-bool move_to_open(const Element& element, const ParameterRect& rect, Sequence4& sequence,
-                  Vec2& point) {
+/// A half space: the side of a quad's plane that its normal points to.
+struct FrontOf {
+    Vec3 normal;
+    Vec3 on_plane;
+    bool holds(const Vec3& point) const { return normal.dot(point - on_plane) > 0; }
+};
+
+/// Draws another point of the rectangle if this one is buried or behind the other side's plane,
+/// until one is neither; a rectangle without such a point is given up after a while.
+Vec3 moved_to_open(const Element& element, const ParameterRect& rect, const FrontOf& front,
+                   Sequence4& sequence, Vec2 at) {
     constexpr int most_attempts = 64;
-    if (element.is_sample_open(point[0], point[1])) return false;
+    Vec3 point = element.geometry.point(at[0], at[1]);
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
+        if (element.is_sample_open(at[0], at[1]) && front.holds(point)) break;
         sequence.next();
-        point = in_rect(rect, sequence.at(0), sequence.at(1));
-        if (element.is_sample_open(point[0], point[1])) break;
+        at = in_rect(rect, sequence.at(0), sequence.at(1));
+        point = element.geometry.point(at[0], at[1]);
     }
-    return true;
+    return point;
+}
+
+/// Share of a cell in front of a plane that is open. 1 where nothing is in front.
+double open_share(const Element& element, const Cell& cell, const FrontOf& front) {
+    if (element.open.empty()) return 1;
+    constexpr int samples_along = 8;  // those of a finest cell's mask
+    const ParameterRect rect = element.space.tree().rect(cell);
+    int in_front = 0, open = 0;
+    for (int j = 0; j < samples_along; ++j) {
+        for (int i = 0; i < samples_along; ++i) {
+            const Vec2 at = in_rect(rect, (i + 0.5) / samples_along, (j + 0.5) / samples_along);
+            if (!front.holds(element.geometry.point(at[0], at[1]))) continue;
+            ++in_front;
+            if (element.is_sample_open(at[0], at[1])) ++open;
+        }
+    }
+    return in_front == 0 ? 1 : static_cast<double>(open) / in_front;
+}
+
+FrontOf front_of(const Element& element, const Vec3& normal) {
+    return {normal, element.geometry.vertex[0]};
 }
 
 }  // namespace
@@ -134,6 +163,17 @@ KernelVariation kernel_variation(const LinkGeometry& link, const LinkChildren& c
     return result;
 }
 
+OpenShares open_shares(const LinkGeometry& link, const LinkChildren& children) {
+    const FrontOf receiver_front = front_of(*link.receiver, link.receiver_facet.normal);
+    const FrontOf sender_front = front_of(*link.sender, link.sender_facet.normal);
+    OpenShares shares;
+    for (int i = 0; i < children.receivers; ++i)
+        shares.receiver[i] = open_share(*link.receiver, children.receiver[i], sender_front);
+    for (int j = 0; j < children.senders; ++j)
+        shares.sender[j] = open_share(*link.sender, children.sender[j], receiver_front);
+    return shares;
+}
+
 StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& children,
                                 int per_stratum, double softening, const Visibility& visibility,
                                 OracleCost& cost) {
@@ -142,36 +182,37 @@ StratifiedSamples sample_strata(const LinkGeometry& link, const LinkChildren& ch
     result.highest = 0;
     const Vec3& normal_x = link.receiver_facet.normal;
     const Vec3& normal_y = link.sender_facet.normal;
+    const FrontOf receiver_front = front_of(*link.receiver, normal_x);
+    const FrontOf sender_front = front_of(*link.sender, normal_y);
     Sequence4 sequence(seed_of(link.link, *link.receiver, *link.sender));
     for (int i = 0; i < children.receivers; ++i) {
         const ParameterRect at_x = link.receiver->space.tree().rect(children.receiver[i]);
         for (int j = 0; j < children.senders; ++j) {
             const ParameterRect at_y = link.sender->space.tree().rect(children.sender[j]);
+            double facing = 0, seen = 0;
             for (int k = 0; k < per_stratum; ++k) {
                 sequence.next();
-                Vec2 r = in_rect(at_x, sequence.at(0), sequence.at(1));
-                Vec2 s = in_rect(at_y, sequence.at(2), sequence.at(3));
-                Vec3 x = link.receiver->geometry.point(r[0], r[1]);
-                Vec3 y = link.sender->geometry.point(s[0], s[1]);
-                double f = softened_kernel(x, normal_x, y, normal_y, softening);
-                result.kernel[i][j] += f / per_stratum;
-                const bool receiver_moved = move_to_open(*link.receiver, at_x, sequence, r);
-                const bool sender_moved = move_to_open(*link.sender, at_y, sequence, s);
-                if (receiver_moved || sender_moved) {
-                    x = link.receiver->geometry.point(r[0], r[1]);
-                    y = link.sender->geometry.point(s[0], s[1]);
-                    f = softened_kernel(x, normal_x, y, normal_y, softening);
-                }
-                double seen = 0;
+                const Vec2 r = in_rect(at_x, sequence.at(0), sequence.at(1));
+                const Vec2 s = in_rect(at_y, sequence.at(2), sequence.at(3));
+                const double anywhere =
+                    softened_kernel(link.receiver->geometry.point(r[0], r[1]), normal_x,
+                                    link.sender->geometry.point(s[0], s[1]), normal_y, softening);
+                result.kernel[i][j] += anywhere / per_stratum;
+                const Vec3 x = moved_to_open(*link.receiver, at_x, sender_front, sequence, r);
+                const Vec3 y = moved_to_open(*link.sender, at_y, receiver_front, sequence, s);
+                const double f = softened_kernel(x, normal_x, y, normal_y, softening);
+                double through = 0;
                 if (f > 0) {
                     ++cost.rays;
                     if (!visibility.occluded(x, link.receiver->quad, y, link.sender->quad))
-                        seen = f;
+                        through = f;
                 }
-                result.visible[i][j] += seen / per_stratum;
-                result.lowest = std::min(result.lowest, seen);
-                result.highest = std::max(result.highest, seen);
+                facing += f;
+                seen += through;
+                result.lowest = std::min(result.lowest, anywhere > 0 ? through : 0);
+                result.highest = std::max(result.highest, through);
             }
+            result.seen[i][j] = facing > 0 ? seen / facing : 0;
         }
     }
     return result;

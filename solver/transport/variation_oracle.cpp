@@ -26,11 +26,13 @@ Verdict VariationOracle::judge(const LinkGeometry& link, std::vector<int>& /*occ
         sides |= receiver_space;
     if (sides != 0) return {Verdict::Act::refine, sides};
 
+    const OpenShares open = open_shares(link, children);
     for (int i = 0; i < children.receivers; ++i)
         for (int j = 0; j < children.senders; ++j)
-            strata.exchange[i][j] = samples.visible[i][j] *
-                                    link.receiver->space.area(children.receiver[i]) *
-                                    link.sender->space.area(children.sender[j]);
+            strata.exchange[i][j] = samples.kernel[i][j] * samples.seen[i][j] *
+                                    link.receiver->cell(children.receiver[i]).area() *
+                                    open.receiver[i] *
+                                    link.sender->cell(children.sender[j]).area() * open.sender[j];
     strata.sampled = true;
     return {Verdict::Act::keep, 0};
 }
