@@ -143,6 +143,15 @@ TrialLights projected_trials(const RadianceSpace& space, const Ground& ground,
     return trial_lights(fields);
 }
 
+/// What any operator of the scene should come to for lights that it is not made for.
+std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& options,
+                               const RadianceSpace& space, const Progress& progress) {
+    EstimateOptions asked;
+    asked.noise = std::clamp(options.error, 0.03, 0.05);
+    asked.points = judged_points(ground.scene);
+    return judged_lights(ground.scene, space, ground.visibility, ground.unseen, asked, progress);
+}
+
 /// 2. to 5.: the operators for given settings.
 GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
                       const Settings& settings, const Progress& progress, OracleCost& cost,
@@ -214,18 +223,19 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
 
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
     GlobalTransport transport;
+    std::vector<JudgedLight> judged;
     ErrorEstimate estimate;
     for (report.attempts = 1;; ++report.attempts) {
         transport = build(ground, options, settings, progress, cost, clock, report);
         if (options.most_attempts == 0) break;
 
         // 6. Is it good enough?
-        EstimateOptions judge;
-        judge.noise = std::clamp(options.error, 0.03, 0.05);
-        judge.points = judged_points(scene);
-        estimate = estimate_error(transport, ground.quads, ground.occluders, ground.visibility,
-                                  ground.unseen, judge, progress);
-        report.estimate_rays += estimate.rays;
+        if (judged.empty()) {
+            judged = judge(ground, options, transport.space, progress);
+            for (const JudgedLight& one : judged)
+                report.estimate_rays += one.rays;
+        }
+        estimate = estimate_error(transport, ground.quads, ground.occluders, judged, progress);
         clock.lap("estimate");
         const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
         // Counted in links and not in seconds, so that the result is the same on every machine.

@@ -9,19 +9,27 @@
 namespace lightwell {
 
 Deviation deviation_from(const std::vector<IrradianceEstimate>& reference,
-                         const std::vector<Rgb>& values) {
+                         const std::vector<Rgb>& values, const std::vector<double>& weight) {
     LIGHTWELL_CHECK_OP(reference.size(), ==, values.size());
-    double differences = 0, noise = 0, size = 0;
+    if (!weight.empty()) LIGHTWELL_CHECK_OP(weight.size(), ==, values.size());
+    double squares = 0, noise = 0, size = 0, difference = 0, sum = 0, weights = 0;
     for (std::size_t k = 0; k < values.size(); ++k) {
-        differences += (values[k] - reference[k].mean).square().sum();
-        noise += reference[k].standard_error.square().sum();
-        size += reference[k].mean.square().sum();
+        const double w = weight.empty() ? 1 : weight[k];
+        const double variance = reference[k].standard_error.square().sum();
+        const Rgb error = values[k] - reference[k].mean;
+        squares += w * (error.square().sum() - variance);
+        size += w * (reference[k].mean.square().sum() - variance);
+        noise += w * variance;
+        difference += w * error.sum();
+        sum += w * reference[k].mean.sum();
+        weights += w;
     }
     Deviation result;
-    const double true_size = size - noise;
-    if (!(true_size > 0)) return result;
-    result.relative_rms = std::sqrt(std::max(0.0, differences - noise) / true_size);
-    result.noise = std::sqrt(noise / true_size);
+    if (!(size > 0)) return result;
+    result.relative_rms = std::sqrt(std::max(0.0, squares) / size);
+    result.noise = std::sqrt(noise / size);
+    if (sum > 0) result.bias = difference / sum;
+    result.reference_rms = std::sqrt(size / (3 * weights));
     return result;
 }
 

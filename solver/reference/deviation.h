@@ -15,10 +15,16 @@ struct Deviation {
     /// The reference's own noise in the same measure. A relative_rms well below it is not known
     /// well: its square is uncertain by about noise^2 sqrt(2 / values).
     double noise = 0;
+    /// Signed: sum d / sum E over points and channels; 0 where the reference is dark.
+    double bias = 0;
+    /// Root mean square of the reference itself over points and channels, its noise taken out [lx];
+    /// 0 where it is dark, which leaves nothing to be relative to.
+    double reference_rms = 0;
 };
 
 /// Compares irradiances [lx] point by point; both lists have the same length.
+/// @param weight  by point, >= 0: how much it counts in all sums; empty: all alike
 Deviation deviation_from(const std::vector<IrradianceEstimate>& reference,
-                         const std::vector<Rgb>& values);
+                         const std::vector<Rgb>& values, const std::vector<double>& weight = {});
 
 }  // namespace lightwell

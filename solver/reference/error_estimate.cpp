@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "radiance4d/operator/light_projection.h"
-#include "radiance4d/operator/smooth_irradiance.h"
-#include "solver/reference/path_tracer.h"
+#include "solver/reference/deviation.h"
 #include "solver/reference/sampling.h"
 
 namespace lightwell {
@@ -13,12 +12,12 @@ namespace lightwell {
 namespace {
 
 /// What a picture shows at a surface point, 0 on sides that take no part.
-Rgb shown(const GlobalTransport& transport, const std::vector<SmoothSurface>& irradiance,
-          const std::vector<Quad>& quads, const SurfacePoint& point) {
+Rgb shown(const SurfacePoint& point, const RadianceSpace& space,
+          const std::vector<SmoothSurface>& irradiance, const std::vector<Quad>& quads) {
     const bool front = point.normal.dot(quads[static_cast<std::size_t>(point.quad)].normal()) > 0;
-    const int number = transport.space.element_on(point.quad, front);
+    const int number = space.element_on(point.quad, front);
     if (number < 0) return Rgb::Zero();
-    const Element& element = transport.space.element(static_cast<std::size_t>(number));
+    const Element& element = space.element(static_cast<std::size_t>(number));
     const Vec2 uv = element.geometry.parameters(point.position);
     return irradiance[static_cast<std::size_t>(number)].at(uv[0], uv[1]);
 }
@@ -61,51 +60,63 @@ double ErrorEstimate::ninth_of_ten() const {
     return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
-                             const OccluderTree& occluders, const Visibility& visibility,
-                             const std::vector<Vec3>& positions, const EstimateOptions& options,
-                             const Progress& progress) {
-    Scene dark = transport.scene;
+std::vector<JudgedLight> judged_lights(const Scene& scene, const RadianceSpace& space,
+                                       const Visibility& visibility,
+                                       const std::vector<Vec3>& positions,
+                                       const EstimateOptions& options, const Progress& progress) {
+    Scene dark = scene;
     for (Material& material : dark.materials)
         material.emission = Rgb::Zero();
     const std::vector<QuadSide> sides = seeing_sides(dark, visibility);
-    ErrorEstimate estimate;
-    Rgb stored_flux = Rgb::Zero(), solved_flux = Rgb::Zero();
+    NoiseTarget target;
+    target.relative = options.noise;
+    target.floor = 1;
+    PathTracing tracing;
+    tracing.samples = 64;
+    std::vector<JudgedLight> judged;
     for (std::size_t k = 0; k < positions.size(); ++k) {
         progress.check();
         progress.say("estimate", static_cast<double>(k) / static_cast<double>(positions.size()));
-        PointLight light;
-        light.position = positions[k];
-        light.intensity = Rgb::Ones();
-        const RadianceField direct = projected_lights(transport.space, {light}, quads, occluders);
+        JudgedLight& one = judged.emplace_back();
+        one.light.position = positions[k];
+        one.light.intensity = Rgb::Ones();
+        one.points = sample_surface(dark, sides, options.points, options.seed + k);
+        for (const SurfacePoint& point : one.points)
+            one.weight.push_back(visible_share(space, visibility, point));
+        tracing.seed = options.seed + k;
+        IrradianceSurvey survey =
+            PathTracer(dark, visibility, {one.light}).indirect_to(target, one.points, tracing);
+        one.truth = std::move(survey.at);
+        one.rays = survey.rays;
+    }
+    return judged;
+}
+
+std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const RadianceSpace& space,
+                          const std::vector<SmoothSurface>& irradiance,
+                          const std::vector<Quad>& quads) {
+    std::vector<Rgb> values;
+    for (const SurfacePoint& point : points)
+        values.push_back(shown(point, space, irradiance, quads));
+    return values;
+}
+
+ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                             const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
+                             const Progress& progress) {
+    ErrorEstimate estimate;
+    Rgb stored_flux = Rgb::Zero(), solved_flux = Rgb::Zero();
+    for (const JudgedLight& one : judged) {
+        progress.check();
+        const RadianceField direct =
+            projected_lights(transport.space, {one.light}, quads, occluders);
         stored_flux += total_flux(transport.space, global_light(transport, direct) - direct);
         solved_flux += total_flux(transport.space, solved_light(transport, direct));
         const std::vector<SmoothSurface> irradiance =
             smooth_irradiance(transport.space, gathered_light(transport, direct));
-
-        const std::vector<SurfacePoint> points =
-            sample_surface(dark, sides, options.points, options.seed + k);
-        PathTracing tracing;
-        tracing.samples = 64;
-        tracing.seed = options.seed + k;
-        NoiseTarget target;
-        target.relative = options.noise;
-        target.floor = 1;
-        const IrradianceSurvey judged =
-            PathTracer(dark, visibility, {light}).indirect_to(target, points, tracing);
-        estimate.rays += judged.rays;
-        double squares = 0, reference = 0;
-        for (std::size_t p = 0; p < points.size(); ++p) {
-            const IrradianceEstimate& truth = judged.at[p];
-            const double weight = visible_share(transport.space, visibility, points[p]);
-            const double noise = truth.standard_error.square().sum();
-            const Rgb error = shown(transport, irradiance, quads, points[p]) - truth.mean;
-            squares += weight * (error.square().sum() - noise);
-            reference += weight * (truth.mean.square().sum() - noise);
-        }
-        // A light that nothing reflects has no relative error.
-        if (reference > 0)
-            estimate.by_light.push_back(std::sqrt(std::max(0.0, squares) / reference));
+        const Deviation deviation = deviation_from(
+            one.truth, shown_at(one.points, transport.space, irradiance, quads), one.weight);
+        if (deviation.reference_rms > 0) estimate.by_light.push_back(deviation.relative_rms);
     }
     if (solved_flux.sum() > 0) estimate.energy_dropped = 1 - stored_flux.sum() / solved_flux.sum();
     return estimate;

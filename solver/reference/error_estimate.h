@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "radiance4d/operator/global_transport.h"
+#include "radiance4d/operator/smooth_irradiance.h"
 #include "radiance4d/progress.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
+#include "solver/reference/path_tracer.h"
 #include "solver/reference/surface_points.h"
 
 namespace lightwell {
@@ -19,6 +21,29 @@ struct EstimateOptions {
     std::uint64_t seed = 1;
 };
 
+/// The indirect light of one white unit lamp in a scene, by path tracing.
+struct JudgedLight {
+    PointLight light;
+    std::vector<SurfacePoint> points;       ///< spread evenly by area
+    std::vector<double> weight;             ///< by point, in [0,1]: how well it can be seen
+    std::vector<IrradianceEstimate> truth;  ///< by point
+    std::int64_t rays = 0;                  ///< traced to know
+};
+
+/// Judges the scene for white unit lights at the given positions, one at a time, emitters off. What
+/// is said holds for every operator of the scene.
+/// @param space  of one of them: tells which sides take part, and so how well a point can be seen
+std::vector<JudgedLight> judged_lights(const Scene& scene, const RadianceSpace& space,
+                                       const Visibility& visibility,
+                                       const std::vector<Vec3>& positions,
+                                       const EstimateOptions& options, const Progress& progress);
+
+/// What a picture shows at surface points, of an irradiance [lx] by element: 0 on sides that take
+/// no part.
+std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const RadianceSpace& space,
+                          const std::vector<SmoothSurface>& irradiance,
+                          const std::vector<Quad>& quads);
+
 /// The error of an operator for some lights, judged by path tracing.
 struct ErrorEstimate {
     /// By light: relative root mean square over the surface of the indirect illuminance that a
@@ -26,7 +51,6 @@ struct ErrorEstimate {
     std::vector<double> by_light;
     double energy_dropped =
         0;  ///< share of the indirect flux that the stored operator lacks against the solved one
-    std::int64_t rays = 0;  ///< traced by the judge
 
     /// Root mean square over the lights.
     double rms() const;
@@ -34,10 +58,9 @@ struct ErrorEstimate {
     double ninth_of_ten() const;
 };
 
-/// Judges the operator for white unit lights at the given positions, one at a time, emitters off.
+/// The error of an operator for each of the lights. A light that nothing reflects has none.
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
-                             const OccluderTree& occluders, const Visibility& visibility,
-                             const std::vector<Vec3>& positions, const EstimateOptions& options,
+                             const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
                              const Progress& progress);
 
 }  // namespace lightwell

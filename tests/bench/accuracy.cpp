@@ -1,20 +1,19 @@
 // How accurate is an operator, judged by a path tracer that shares nothing with it but the scene?
 //
-//     accuracy SCENE [--error E] [--cell C] [--tolerance T] [--truncation R] [--oracle
-//     geometric|variation]
-//              [--lights N] [--points M] [--seed S] [--noise R] [--gather K] [--cache DIR]
+//     accuracy SCENE [--error E] [--oracle geometric|variation] [--lights N] ... (see --help)
 //
 // prints one line per light and a summary: the relative rms error of indirect illuminance over
 // points spread evenly by area, as the basis shows it smoothed (picture), as the stored operator
-// alone gives it (stored), and gathered at the point (gather). The judge's own variance is
-// subtracted. With --cache the judge's answers are kept for other settings.
-#include <cmath>
-#include <cstdio>
+// alone gives it (stored), solved on the stored bounce (solved), and gathered at the point
+// (gather). With --cache the judge's answers are kept for other settings.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
-#include <map>
+#include <string>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "radiance4d/scene/occluder_tree.h"
@@ -22,185 +21,252 @@
 #include "runtime/propagation/lighting.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
-#include "solver/reference/path_tracer.h"
+#include "solver/reference/deviation.h"
+#include "solver/reference/error_estimate.h"
 #include "solver/reference/random_lights.h"
+#include "viewer/commands/arguments.h"
 
 namespace lightwell {
 namespace {
 
-struct Judged {
-    Rgb mean;
-    Rgb deviation;
+struct Request {
+    std::string scene;
+    PrecomputeOptions precompute;
+    int lights = 10;
+    EstimateOptions judge;
+    int gather_strata = 32;
+    LightPlacement placement;
+    std::string cache;  ///< folder; empty: none
 };
 
-/// The judge's answer for one light, from the cache if it is there.
-std::vector<Judged> judge(const Scene& scene, const Visibility& visibility, const PointLight& light,
-                          const std::vector<SurfacePoint>& points, double noise,
-                          const std::string& cached) {
-    std::vector<Judged> answer(points.size());
-    if (std::ifstream file(cached, std::ios::binary); file) {
-        file.read(reinterpret_cast<char*>(answer.data()),
-                  static_cast<std::streamsize>(answer.size() * sizeof(Judged)));
-        if (file) return answer;
+/// A file of judged lights; what is not there, or of another length, is judged again.
+class JudgeCache {
+  public:
+    JudgeCache(const Request& request, const std::string& scene_name) {
+        if (!request.cache.empty())
+            path_ = fmt::format("{}/{}-{}-{}-{}-{}.judged", request.cache, scene_name,
+                                request.judge.seed, request.lights, request.judge.points,
+                                request.judge.noise);
     }
-    const PathTracer tracer(scene, visibility, {light});
-    const IrradianceSurvey survey = tracer.indirect_to({noise}, points);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        answer[k] = {survey.at[k].mean, survey.at[k].standard_error};
-    if (!cached.empty())
-        std::ofstream(cached, std::ios::binary)
-            .write(reinterpret_cast<const char*>(answer.data()),
-                   static_cast<std::streamsize>(answer.size() * sizeof(Judged)));
-    return answer;
-}
 
-/// Relative rms error with the judge's variance taken off, and the signed relative mean.
-struct Error {
-    double squares = 0, noise = 0, reference = 0, bias = 0, sum = 0;
-    void add(const Rgb& value, const Judged& truth) {
-        squares += (value - truth.mean).square().sum();
-        noise += truth.deviation.square().sum();
-        reference += truth.mean.square().sum();
-        bias += (value - truth.mean).sum();
-        sum += truth.mean.sum();
+    std::vector<JudgedLight> read() const {
+        std::ifstream file(path_, std::ios::binary);
+        std::vector<JudgedLight> judged;
+        std::uint64_t points = 0;
+        while (take(file, &points, 1)) {
+            JudgedLight one;
+            one.points.resize(points);
+            one.truth.resize(points);
+            one.weight.resize(points);
+            if (!take(file, &one.light.position, 1) || !take(file, one.points.data(), points) ||
+                !take(file, one.weight.data(), points) || !take(file, one.truth.data(), points))
+                return {};
+            one.light.intensity = Rgb::Ones();
+            judged.push_back(std::move(one));
+        }
+        return judged;
     }
-    double relative() const { return std::sqrt(std::max(0.0, squares - noise) / reference); }
+
+    void write(const std::vector<JudgedLight>& judged) const {
+        if (path_.empty()) return;
+        std::ofstream file(path_, std::ios::binary);
+        for (const JudgedLight& one : judged) {
+            const std::uint64_t points = one.points.size();
+            put(file, &points, 1);
+            put(file, &one.light.position, 1);
+            put(file, one.points.data(), points);
+            put(file, one.weight.data(), points);
+            put(file, one.truth.data(), points);
+        }
+        if (!file.flush()) throw SystemError(path_ + ": cannot be written");
+    }
+
+  private:
+    template <typename Thing>
+    static bool take(std::ifstream& file, Thing* things, std::size_t count) {
+        const auto bytes = static_cast<std::streamsize>(count * sizeof(Thing));
+        return static_cast<bool>(file.read(reinterpret_cast<char*>(things), bytes));
+    }
+    template <typename Thing>
+    static void put(std::ofstream& file, const Thing* things, std::size_t count) {
+        file.write(reinterpret_cast<const char*>(things),
+                   static_cast<std::streamsize>(count * sizeof(Thing)));
+    }
+
+    std::string path_;
 };
 
-int run(const std::map<std::string, std::string>& given, const std::string& path) {
-    const auto number = [&](const std::string& key, double otherwise) {
-        const auto it = given.find(key);
-        return it == given.end() ? otherwise : std::stod(it->second);
-    };
-    Scene scene = read_scene(path).scene;
-    for (Material& material : scene.materials)
-        material.emission = Rgb::Zero();  // lamps alone
-    PrecomputeOptions options;
-    options.error = number("error", 0.05);
-    if (given.count("cell") != 0) options.cell_size = number("cell", 0);
-    if (given.count("tolerance") != 0) options.oracle_tolerance = number("tolerance", 0);
-    if (given.count("truncation") != 0) options.truncation = number("truncation", 0);
-    if (given.count("oracle") != 0 && given.at("oracle") == "variation")
-        options.oracle = OracleKind::variation;
-    options.most_attempts = static_cast<int>(number("attempts", 4));
-    PrecomputeReport report;
-    const GlobalTransport transport = precompute(scene, options, {}, report);
+void print_cost(const GlobalTransport& transport, const PrecomputeReport& report) {
+    const Provenance& provenance = transport.provenance;
     std::string line = fmt::format(
         "elements {} cells {} cell {:.3f} m, rays {} links {} judged {} dto {} of {} gto {}",
-        report.elements, report.cells, transport.provenance.cell_size, transport.provenance.rays,
-        transport.provenance.links, report.links_judged, transport.bounce.coefficients(),
-        report.coefficients_before, transport.indirect[0].coefficients());
+        report.elements, report.cells, provenance.cell_size, provenance.rays, provenance.links,
+        report.links_judged, transport.bounce.coefficients(), report.coefficients_before,
+        transport.indirect[0].coefficients());
     for (const auto& [stage, seconds] : report.seconds)
         line += fmt::format(" {} {:.2f}s", stage, seconds);
     line += fmt::format(" closure {:.2e} -> {:.2e} in {}", report.closure.deficit_before,
                         report.closure.deficit_after, report.closure.sweeps);
     line += fmt::format(" attempts {} estimate {:.4f} energy dropped {:.4f} judge rays {}",
-                        report.attempts, transport.provenance.error_estimated,
-                        transport.provenance.energy_dropped, report.estimate_rays);
+                        report.attempts, provenance.error_estimated, provenance.energy_dropped,
+                        report.estimate_rays);
     std::cout << line << std::endl;
+}
+
+/// What the four ways to show one light are off by.
+struct LightErrors {
+    Deviation picture, stored, solved, gather;
+};
+
+LightErrors errors_of(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                      const OccluderTree& occluders, const Visibility& visibility,
+                      const JudgedLight& judged, int strata) {
+    const auto lit = [&](Propagation propagation) {
+        return light_scene(transport, {judged.light}, quads, occluders, propagation);
+    };
+    const auto deviation = [&](const RadianceField& field) {
+        return deviation_from(judged.truth,
+                              shown_at(judged.points, transport.space,
+                                       smooth_irradiance(transport.space, field), quads),
+                              judged.weight);
+    };
+    const Lighting solved = lit(Propagation::solved);
+    const FinalGather gather(transport, visibility,
+                             smooth_irradiance(transport.space, solved.direct + solved.indirect),
+                             strata);
+    std::vector<Rgb> gathered;
+    for (const SurfacePoint& p : judged.points)
+        gathered.push_back(gather.irradiance(p.position, p.normal, p.quad));
+    return {deviation(lit(Propagation::gathered).indirect),
+            deviation(lit(Propagation::stored).indirect), deviation(solved.indirect),
+            deviation_from(judged.truth, gathered, judged.weight)};
+}
+
+void print_light(std::size_t number, const Vec3& at, const LightErrors& errors) {
+    std::cout << fmt::format(
+                     "light {:2} at ({:6.2f} {:6.2f} {:6.2f}): picture {:.4f} stored {:.4f} solved "
+                     "{:.4f} gather {:.4f} (judge {:.4f}) bias {:+.4f} {:+.4f} {:+.4f}",
+                     number, at[0], at[1], at[2], errors.picture.relative_rms,
+                     errors.stored.relative_rms, errors.solved.relative_rms,
+                     errors.gather.relative_rms, errors.picture.noise, errors.picture.bias,
+                     errors.solved.bias, errors.gather.bias)
+              << std::endl;
+}
+
+void run(const Request& request) {
+    Scene scene = read_scene(request.scene).scene;
+    for (Material& material : scene.materials)
+        material.emission = Rgb::Zero();  // lamps alone
+    PrecomputeReport report;
+    const GlobalTransport transport = precompute(scene, request.precompute, {}, report);
+    print_cost(transport, report);
 
     std::vector<Quad> quads;
     for (const SceneQuad& quad : scene.quads)
         quads.push_back(quad.quad);
     const Visibility visibility(quads);
     const OccluderTree occluders(quads);
-    const int light_count = static_cast<int>(number("lights", 10));
-    const int point_count = static_cast<int>(number("points", 300));
-    const auto seed = static_cast<std::uint64_t>(number("seed", 7));
-    const double noise = number("noise", 0.01);
-    const int strata = static_cast<int>(number("gather", 32));
-    LightPlacement placement;
-    placement.surrounded = number("surrounded", 0.6);
-    const std::vector<PointLight> lights =
-        random_lights(scene, visibility, light_count, seed, placement);
-
-    double worst = 0, squares = 0, gather_squares = 0;
-    int above = 0;
-    for (std::size_t l = 0; l < lights.size(); ++l) {
-        const std::vector<SurfacePoint> points =
-            sample_surface(scene, seeing_sides(scene, visibility), point_count, seed + 100 + l);
-        std::string cached;
-        if (given.count("cache") != 0)
-            cached = fmt::format("{}/{}-{}-{}-{}-{}.bin", given.at("cache"), scene.name, seed, l,
-                                 point_count, noise);
-        const std::vector<Judged> truth =
-            judge(scene, visibility, lights[l], points, noise, cached);
-        const Lighting stored =
-            light_scene(transport, {lights[l]}, quads, occluders, Propagation::stored);
-        const Lighting solved =
-            light_scene(transport, {lights[l]}, quads, occluders, Propagation::solved);
-        const Lighting gathered =
-            light_scene(transport, {lights[l]}, quads, occluders, Propagation::gathered);
-        const auto show = [&](const RadianceField& field) {
-            return smooth_irradiance(transport.space, field);
-        };
-        const auto stored_surface = show(stored.indirect),
-                   picture_surface = show(gathered.indirect),
-                   solved_surface = show(solved.indirect);
-        const FinalGather gather(transport, visibility, show(solved.direct + solved.indirect),
-                                 strata);
-        Error stored_error, picture_error, gather_error, solved_error;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const SurfacePoint& p = points[k];
-            const bool front = p.normal.dot(quads[static_cast<std::size_t>(p.quad)].normal()) > 0;
-            const int e = transport.space.element_on(p.quad, front);
-            const bool is_open =
-                e >= 0 && transport.space.element(static_cast<std::size_t>(e))
-                              .is_open(transport.space.element(static_cast<std::size_t>(e))
-                                           .geometry.parameters(p.position)[0],
-                                       transport.space.element(static_cast<std::size_t>(e))
-                                           .geometry.parameters(p.position)[1]);
-            if (!is_open) {
-                stored_error.add(Rgb::Zero(), truth[k]);
-                picture_error.add(Rgb::Zero(), truth[k]);
-                solved_error.add(Rgb::Zero(), truth[k]);
-            } else {
-                const auto element = static_cast<std::size_t>(e);
-                const Vec2 uv = transport.space.element(element).geometry.parameters(p.position);
-                stored_error.add(stored_surface[element].at(uv[0], uv[1]), truth[k]);
-                picture_error.add(picture_surface[element].at(uv[0], uv[1]), truth[k]);
-                solved_error.add(solved_surface[element].at(uv[0], uv[1]), truth[k]);
-            }
-            gather_error.add(gather.irradiance(p.position, p.normal, p.quad), truth[k]);
-        }
-        std::cout << fmt::format(
-                         "light {:2} at ({:6.2f} {:6.2f} {:6.2f}): picture {:.4f} stored {:.4f} "
-                         "solved {:.4f} gather {:.4f} (judge {:.4f}) bias {:+.4f} {:+.4f} {:+.4f}",
-                         l, lights[l].position[0], lights[l].position[1], lights[l].position[2],
-                         picture_error.relative(), stored_error.relative(), solved_error.relative(),
-                         gather_error.relative(),
-                         std::sqrt(picture_error.noise / picture_error.reference),
-                         picture_error.bias / picture_error.sum,
-                         solved_error.bias / solved_error.sum, gather_error.bias / gather_error.sum)
-                  << std::endl;
-        worst = std::max(worst, picture_error.relative());
-        squares += picture_error.relative() * picture_error.relative();
-        gather_squares += gather_error.relative() * gather_error.relative();
-        above += picture_error.relative() > options.error ? 1 : 0;
+    const JudgeCache cache(request, scene.name);
+    std::vector<JudgedLight> judged = cache.read();
+    if (judged.empty()) {
+        std::vector<Vec3> positions;
+        for (const PointLight& light : random_lights(scene, visibility, request.lights,
+                                                     request.judge.seed, request.placement))
+            positions.push_back(light.position);
+        judged = judged_lights(scene, transport.space, visibility, positions, request.judge, {});
+        cache.write(judged);
     }
-    const auto n = static_cast<double>(lights.size());
+
+    ErrorEstimate picture, gather;
+    int above = 0;
+    for (std::size_t l = 0; l < judged.size(); ++l) {
+        const LightErrors errors =
+            errors_of(transport, quads, occluders, visibility, judged[l], request.gather_strata);
+        print_light(l, judged[l].light.position, errors);
+        picture.by_light.push_back(errors.picture.relative_rms);
+        gather.by_light.push_back(errors.gather.relative_rms);
+        above += errors.picture.relative_rms > request.precompute.error ? 1 : 0;
+    }
     std::cout << fmt::format(
-        "picture rms {:.4f} worst {:.4f}, gather rms {:.4f}; {} of {} above {}\n",
-        std::sqrt(squares / n), worst, std::sqrt(gather_squares / n), above, lights.size(),
-        options.error);
-    return 0;
+        "picture rms {:.4f} worst {:.4f}, gather rms {:.4f}; {} of {} above {}\n", picture.rms(),
+        *std::max_element(picture.by_light.begin(), picture.by_light.end()), gather.rms(), above,
+        judged.size(), request.precompute.error);
+}
+
+/// Reads the command line into the request. @return whether there is something to do.
+/// @throws InputError for what makes no sense
+bool read_arguments(int argc, char** argv, Request& request) {
+    constexpr int most = 1 << 20;
+    CLI::App app{"How accurate an operator is, judged by path tracing.", "accuracy"};
+    app.add_option("SCENE", request.scene, "scene.toml, .obj or .ply")->required();
+    const auto add = [&app](const std::string& name, const std::string& meaning,
+                            std::function<void(const std::string&)> take) {
+        app.add_option_function<std::string>(name, std::move(take), meaning);
+    };
+    PrecomputeOptions& options = request.precompute;
+    options.most_attempts = 4;
+    request.judge.points = 300;
+    request.judge.noise = 0.01;
+    request.judge.seed = 7;
+    request.placement.surrounded = 0.6;
+    add("--error", "relative error asked for; 0.05 by default",
+        [&](const std::string& text) { options.error = error_argument("--error", text); });
+    add("--oracle", "geometric or variation",
+        [&](const std::string& text) { options.oracle = oracle_argument("--oracle", text); });
+    add("--cell", "largest side of a finest cell [m]",
+        [&](const std::string& text) { options.cell_size = positive_argument("--cell", text); });
+    add("--tolerance", "of the oracle", [&](const std::string& text) {
+        options.oracle_tolerance = non_negative_argument("--tolerance", text);
+    });
+    add("--truncation", "relative error from coefficients left out", [&](const std::string& text) {
+        options.truncation = non_negative_argument("--truncation", text);
+    });
+    add("--attempts", "operators that may be built; 4 by default", [&](const std::string& text) {
+        options.most_attempts = whole_argument("--attempts", text, 0, 100);
+    });
+    add("--lights", "unseen lights; 10 by default", [&](const std::string& text) {
+        request.lights = whole_argument("--lights", text, 1, most);
+    });
+    add("--points", "surface points a light; 300 by default", [&](const std::string& text) {
+        request.judge.points = whole_argument("--points", text, 1, most);
+    });
+    add("--seed", "of lights and points; 7 by default", [&](const std::string& text) {
+        request.judge.seed = static_cast<std::uint64_t>(whole_argument("--seed", text, 0, most));
+    });
+    add("--noise", "of the judge; 0.01 by default",
+        [&](const std::string& text) { request.judge.noise = positive_argument("--noise", text); });
+    add("--gather", "strata a side of the final gather; 32 by default",
+        [&](const std::string& text) {
+            request.gather_strata = whole_argument("--gather", text, 1, 1024);
+        });
+    add("--surrounded", "share of directions that a light must be enclosed in",
+        [&](const std::string& text) {
+            request.placement.surrounded = non_negative_argument("--surrounded", text);
+        });
+    add("--cache", "folder that keeps the judge's answers", [&](const std::string& text) {
+        if (!std::filesystem::is_directory(text))
+            throw InputError(Place{"--cache"}, text + " is not a folder");
+        request.cache = text;
+    });
+    try {
+        app.parse(argc, argv);
+        return true;
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(error.what());
+    }
 }
 
 }  // namespace
 }  // namespace lightwell
 
 int main(int argc, char** argv) {
-    std::map<std::string, std::string> given;
-    std::string scene;
-    for (int k = 1; k < argc; ++k) {
-        const std::string word = argv[k];
-        if (word.rfind("--", 0) == 0 && k + 1 < argc)
-            given[word.substr(2)] = argv[++k];
-        else
-            scene = word;
-    }
     try {
-        return lightwell::run(given, scene);
+        lightwell::Request request;
+        if (lightwell::read_arguments(argc, argv, request)) lightwell::run(request);
+        return 0;
     } catch (const std::exception& failure) {
         std::cerr << "accuracy: " << failure.what() << '\n';
         return 1;

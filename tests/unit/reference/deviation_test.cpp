@@ -1,5 +1,6 @@
 #include "solver/reference/deviation.h"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -29,7 +30,27 @@ TEST(Deviation, TakesTheNoiseOfTheReferenceOut) {
 TEST(Deviation, OfExactValuesIsZero) {
     const std::vector<IrradianceEstimate> reference{{Rgb(1, 2, 3), Rgb::Zero()}};
     EXPECT_EQ(deviation_from(reference, {Rgb(1, 2, 3)}).relative_rms, 0);
-    EXPECT_NEAR(deviation_from(reference, {Rgb(1.1, 2.2, 3.3)}).relative_rms, 0.1, 1e-12);
+    const Deviation tenth = deviation_from(reference, {Rgb(1.1, 2.2, 3.3)});
+    EXPECT_NEAR(tenth.relative_rms, 0.1, 1e-12);
+    EXPECT_NEAR(tenth.bias, 0.1, 1e-12);
+    EXPECT_NEAR(tenth.reference_rms, std::sqrt(14.0 / 3), 1e-12);
+    EXPECT_NEAR(deviation_from(reference, {Rgb(2, 1, 3)}).bias, 0, 1e-12);
+}
+
+TEST(Deviation, CountsPointsByTheirWeight) {
+    const IrradianceEstimate one{Rgb::Ones(), Rgb::Zero()};
+    const std::vector<Rgb> values{Rgb::Constant(1.1), Rgb::Constant(5), Rgb::Constant(0.8)};
+    const Deviation found = deviation_from({one, one, one}, values, {3, 0, 1});
+    EXPECT_NEAR(found.relative_rms, std::sqrt((3 * 0.01 + 0.04) / 4), 1e-12);
+    EXPECT_NEAR(found.bias, 0.1 / 4, 1e-12);
+    EXPECT_NEAR(found.reference_rms, 1, 1e-12);
+}
+
+TEST(Deviation, FromTheDarkIsNothing) {
+    const std::vector<IrradianceEstimate> dark(3);
+    const Deviation none = deviation_from(dark, {Rgb::Ones(), Rgb::Ones(), Rgb::Ones()});
+    EXPECT_EQ(none.reference_rms, 0);
+    EXPECT_EQ(none.relative_rms, 0);
 }
 
 }  // namespace
