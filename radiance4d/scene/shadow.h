@@ -16,6 +16,11 @@ class Shadow {
 
     bool empty() const { return edge_count_ == 0; }
     const Vec3& apex() const { return apex_; }
+    /// The planes relative to the apex, which is their origin: `edges` through the apex and an edge
+    /// of the quad, and one through the quad. What is inside of all of them is in shadow.
+    int edges() const { return edge_count_; }
+    const Plane& edge(int k) const { return edges_[static_cast<std::size_t>(k)]; }
+    const Plane& behind() const { return behind_; }
     /// About the solid angle of the quad seen from x [sr]; may exceed 4 pi when x is near. For
     /// sorting only.
     double breadth() const { return breadth_; }

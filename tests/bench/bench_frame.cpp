@@ -13,6 +13,8 @@
 
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/operator_file.h"
+#include "radiance4d/scene/visibility.h"
+#include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/incremental_update.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
@@ -110,6 +112,46 @@ void update(benchmark::State& state, const std::string& name, UpdateMode mode) {
     }
 }
 
+// The lamp on the basis, moving.
+void shadow_projection(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    ShadowProjection projection(scene.transport.space, scene.quads, scene.occluders);
+    PackedField direct = PackedField::Zero(4, scene.transport.space.functions());
+    int frame = 0;
+    for (auto _ : state)
+        projection.project(scene.lamp(frame++ % 20), direct);
+    state.counters["cells"] = static_cast<double>(scene.transport.space.functions());
+    state.counters["edge cells"] = static_cast<double>(projection.report().edge_cells);
+    state.counters["rays"] = static_cast<double>(projection.report().rays);
+}
+
+void exact_projection(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    int frame = 0;
+    for (auto _ : state) {
+        const PackedField direct = scene.direct(frame++ % 20);
+        benchmark::DoNotOptimize(direct.data());
+    }
+}
+
+// What a single ray to the middle of every cell that faces the lamp costs, on one thread.
+void ray_per_cell(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    const Visibility visibility(scene.quads);
+    const Vec3 lamp = position_of(scene.lamp(0)[0]);
+    std::vector<std::pair<Vec3, int>> middles;
+    for (const Element& element : scene.transport.space.elements()) {
+        if (!(element.geometry.normal().dot(lamp - element.geometry.centre()) > 0)) continue;
+        const CellTree& tree = element.space.tree();
+        for (std::uint32_t m = 0; m < tree.functions(); ++m)
+            middles.emplace_back(element.cell({tree.levels(), m}).centre(), element.quad);
+    }
+    for (auto _ : state)
+        for (const auto& [middle, quad] : middles)
+            benchmark::DoNotOptimize(visibility.occluded(lamp, free_point, middle, quad));
+    state.counters["rays"] = static_cast<double>(middles.size());
+}
+
 void register_all() {
     const auto in_ms = [](benchmark::internal::Benchmark* bench) {
         return bench->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -121,6 +163,15 @@ void register_all() {
         in_ms(benchmark::RegisterBenchmark(
             named("PlainProduct", name).c_str(),
             [name](benchmark::State& state) { plain_product(state, name); }));
+        in_ms(benchmark::RegisterBenchmark(
+            named("ShadowProjection", name).c_str(),
+            [name](benchmark::State& state) { shadow_projection(state, name); }));
+        in_ms(benchmark::RegisterBenchmark(
+            named("ExactProjection", name).c_str(),
+            [name](benchmark::State& state) { exact_projection(state, name); }));
+        in_ms(benchmark::RegisterBenchmark(
+            named("RayPerCell", name).c_str(),
+            [name](benchmark::State& state) { ray_per_cell(state, name); }));
         const std::pair<const char*, ValueFormat> formats[] = {
             {"PropagationSingle", ValueFormat::single},
             {"PropagationHalf", ValueFormat::half},

@@ -1,0 +1,416 @@
+#include "runtime/projection/shadow_projection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/scene/visibility.h"
+#include "runtime/projection/light_kernel.h"
+#include "runtime/projection/shadow_planes.h"
+
+namespace lightwell {
+
+namespace {
+
+/// How near to a shadow's plane a corner may lie and count as on it, relative to the element: a few
+/// roundings of its coordinates.
+constexpr double relative_tolerance = 2e-6;
+
+/// A cell that a single edge runs through is cut along it exactly, if it is so small a share of its
+/// distance that the middle of a piece speaks for the piece.
+constexpr float largest_share_to_cut = 0.2F;
+
+constexpr int fewest_cuts = 3, most_cuts = 6;
+
+/// How often cells that several edges run through must be cut in four for a given error of their
+/// visible share: the quarters that still hold several shrink along the edges at best by half.
+int cuts_for(double error) {
+    int cuts = fewest_cuts;
+    while (cuts < most_cuts && 0.15 * std::exp2(-cuts) > error)
+        ++cuts;
+    return cuts;
+}
+
+/// The corner points of a quarter: its own corner, the middles of the sides and the centre.
+FourPoints quarter(const FourPoints& whole, int number) {
+    const auto mixed = [number](const Eigen::Array4f& c) {
+        Eigen::Array4f result;
+        for (int k = 0; k < 4; ++k)
+            result[k] = 0.5F * (c[number] + c[k]);
+        // The corner opposite to `number` is the bilinear centre.
+        result[(number + 2) % 4] = 0.25F * c.sum();
+        return result;
+    };
+    FourPoints part;
+    part.x = mixed(whole.x);
+    part.y = mixed(whole.y);
+    part.z = mixed(whole.z);
+    return part;
+}
+
+/// The centres of the four quarters.
+FourPoints quarter_centres(const FourPoints& whole) {
+    const auto centred = [](const Eigen::Array4f& c) -> Eigen::Array4f {
+        return 0.5F * c + 0.125F * c.sum();
+    };
+    FourPoints centres;
+    centres.x = centred(whole.x);
+    centres.y = centred(whole.y);
+    centres.z = centred(whole.z);
+    return centres;
+}
+
+float area(const FourPoints& corners) {
+    const Eigen::Vector3f first = corners[2] - corners[0], second = corners[3] - corners[1];
+    return 0.5F * first.cross(second).norm();
+}
+
+float squared_size(const FourPoints& corners) {
+    return std::max((corners[2] - corners[0]).squaredNorm(),
+                    (corners[3] - corners[1]).squaredNorm());
+}
+
+/// The part of a quad on the outer side of a plane: its share of the area, and its centroid.
+struct OuterPart {
+    float share;
+    Eigen::Vector3f centroid;
+};
+
+OuterPart outer_part(const FourPoints& corners, const Straddle& straddle) {
+    // Triangles from the first vertex of the part; the outline holds at most five.
+    std::array<Eigen::Vector3f, 6> outline;
+    std::size_t count = 0;
+    for (int k = 0; k < 4; ++k) {
+        const int next = (k + 1) % 4;
+        const float here = straddle.height[k], there = straddle.height[next];
+        if (here < 0) outline[count++] = corners[k];
+        if ((here < 0) != (there < 0))
+            outline[count++] = corners[k] + here / (here - there) * (corners[next] - corners[k]);
+    }
+    float sum = 0;
+    Eigen::Vector3f moment = Eigen::Vector3f::Zero();
+    for (std::size_t k = 2; k < count; ++k) {
+        const float part = (outline[k - 1] - outline[0]).cross(outline[k] - outline[0]).norm();
+        sum += part;
+        moment += part * (outline[0] + outline[k - 1] + outline[k]);
+    }
+    if (!(sum > 0)) return {0, outline[0]};
+    return {0.5F * sum / area(corners), moment / (3 * sum)};
+}
+
+/// The edges of shadows that run through one part of a cell.
+class EdgesHere {
+  public:
+    /// The planes of one more shadow that run between the corners.
+    void add(const Straddle* planes, int count) {
+        if (count > 1) {
+            is_complex_ = true;
+            return;
+        }
+        for (std::size_t k = 0; k < known_; ++k) {
+            // A silhouette is an edge of the face before it and of the one behind it alike.
+            if (planes[0].is_same_line(edge_[k])) return;
+            // Two shadows that meet along an edge of both leave nothing between them.
+            if (planes[0].is_opposite(edge_[k])) is_closed_ = true;
+        }
+        if (known_ == edge_.size())
+            is_complex_ = true;
+        else
+            edge_[known_++] = planes[0];
+    }
+
+    bool are_none() const { return known_ == 0 && !is_complex_; }
+    bool is_one() const { return known_ == 1 && !is_complex_; }
+    /// Whether two of the shadows cover all.
+    bool is_closed() const { return is_closed_; }
+    const Straddle& first() const { return edge_[0]; }
+
+  private:
+    std::array<Straddle, 4> edge_;
+    std::size_t known_ = 0;
+    bool is_complex_ = false, is_closed_ = false;
+};
+
+Eigen::Vector3f centroid(const FourPoints& corners) {
+    return {0.25F * corners.x.sum(), 0.25F * corners.y.sum(), 0.25F * corners.z.sum()};
+}
+
+}  // namespace
+
+struct ShadowProjection::Scratch {
+    struct EdgeCell {
+        std::uint32_t finest;
+        std::size_t begin, end;  ///< its shadows, in edge_shadows
+        float unoccluded;        ///< flux with nothing between, for 1 cd [lm]
+    };
+    PackedField flux;                    ///< of an element's finest cells
+    std::vector<int> found;              ///< quads before an element
+    std::vector<ShadowPlanes> planes;    ///< of these
+    std::vector<std::uint32_t> pending;  ///< shadows of the cells being looked at, innermost last
+    std::vector<EdgeCell> edge_cells;
+    std::vector<std::uint32_t> edge_shadows;
+    ShadowProjectionReport report;
+};
+
+struct ShadowProjection::Threads {
+    tbb::enumerable_thread_specific<Scratch> scratch;
+};
+
+/// One lamp on one element.
+class ShadowProjection::ElementVisit {
+  public:
+    ElementVisit(const ElementCells& cells, const LightKernel& kernel, const Rgb& intensity,
+                 Scratch& scratch)
+        : cells_(cells),
+          kernel_(kernel),
+          scratch_(scratch),
+          tolerance_(static_cast<float>(relative_tolerance * cells.extent())) {
+        intensity_.head<3>() = intensity.cast<float>();
+    }
+
+    /// Adds the lamp's flux on all finest cells, past scratch.planes.
+    void run(double edge_error) {
+        scratch_.pending.resize(scratch_.planes.size());
+        std::iota(scratch_.pending.begin(), scratch_.pending.end(), 0U);
+        scratch_.edge_cells.clear();
+        scratch_.edge_shadows.clear();
+        visit({}, 0);
+        // Most are settled at once; the others share what error the element may have.
+        std::size_t unsettled = 0;
+        double uncertain = 0;
+        for (const Scratch::EdgeCell& edge : scratch_.edge_cells) {
+            const std::uint64_t rays_before = scratch_.report.rays;
+            const Share share = visible_share(edge, 0);
+            if (scratch_.report.rays == rays_before) {
+                add_share(edge, share);
+            } else {
+                uncertain += static_cast<double>(edge.unoccluded);
+                lit_ += static_cast<double>(edge.unoccluded * share.ratio());
+                scratch_.edge_cells[unsettled++] = edge;
+            }
+        }
+        const int cuts = cuts_for(edge_error * lit_ / uncertain);
+        for (std::size_t k = 0; k < unsettled; ++k)
+            add_share(scratch_.edge_cells[k], visible_share(scratch_.edge_cells[k], cuts));
+    }
+
+  private:
+    /// Flux on a part of a cell, up to a common factor: what gets through, and all of it.
+    struct Share {
+        float visible = 0, whole = 0;
+
+        float ratio() const { return visible > 0 ? std::min(1.0F, visible / whole) : 0; }
+    };
+
+    void add(std::uint32_t finest, float unit_flux) {
+        scratch_.flux.col(finest) += unit_flux * intensity_;
+    }
+
+    /// Looks at a cell that the shadows pending[begin ..] may reach.
+    void visit(const Cell& cell, std::size_t begin) {
+        const CellTree& tree = cells_.tree();
+        const FourPoints& corners = cells_.corners(tree.position(cell));
+        const std::size_t end = scratch_.pending.size();
+        bool is_dark = false;
+        for (std::size_t k = begin; k < end && !is_dark; ++k) {
+            const std::uint32_t number = scratch_.pending[k];
+            const Cover cover = scratch_.planes[number].cover(corners, tolerance_);
+            is_dark = cover == Cover::all;
+            if (cover == Cover::part) scratch_.pending.push_back(number);
+        }
+        if (!is_dark) {
+            if (scratch_.pending.size() == end)
+                light_all(cell);
+            else if (tree.is_finest(cell))
+                keep_edge(cell.index, end);
+            else
+                for (std::uint32_t c = 0; c < tree.children(cell.level); ++c)
+                    visit(tree.child(cell, c), end);
+        }
+        scratch_.pending.resize(end);
+    }
+
+    void light_all(const Cell& cell) {
+        const CellTree& tree = cells_.tree();
+        const std::uint32_t count = tree.functions() / tree.cells(cell.level);
+        for (std::uint32_t m = cell.index * count; m < (cell.index + 1) * count; ++m) {
+            const float flux = kernel_.flux(m);
+            lit_ += static_cast<double>(flux);
+            add(m, flux);
+        }
+        scratch_.report.lit_cells += count;
+    }
+
+    void keep_edge(std::uint32_t finest, std::size_t begin) {
+        const float unoccluded = kernel_.flux(finest);
+        if (!(unoccluded > 0)) return;
+        const std::size_t first = scratch_.edge_shadows.size();
+        scratch_.edge_shadows.insert(scratch_.edge_shadows.end(),
+                                     scratch_.pending.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     scratch_.pending.end());
+        ++scratch_.report.edge_cells;
+        scratch_.edge_cells.push_back({finest, first, scratch_.edge_shadows.size(), unoccluded});
+    }
+
+    Share visible_share(const Scratch::EdgeCell& edge, int cuts) {
+        const std::uint32_t position =
+            cells_.tree().position({cells_.tree().levels(), edge.finest});
+        return visible_share(cells_.corners(position), scratch_.edge_shadows.data() + edge.begin,
+                             scratch_.edge_shadows.data() + edge.end, cuts, most_cuts);
+    }
+
+    void add_share(const Scratch::EdgeCell& edge, const Share& share) {
+        const float flux = edge.unoccluded * share.ratio();
+        lit_ += static_cast<double>(flux);
+        add(edge.finest, flux);
+    }
+
+    /// What gets through to a part of a cell past the shadows listed, after at most `cuts` cuts in
+    /// four for the sake of edges and `more` for the sake of nearness.
+    Share visible_share(const FourPoints& corners, const std::uint32_t* begin,
+                        const std::uint32_t* end, int cuts, int more) {
+        EdgesHere edges;
+        for (const std::uint32_t* k = begin; k != end; ++k) {
+            std::array<Straddle, ShadowPlanes::most_planes> found;
+            Cover cover = Cover::none;
+            const int count =
+                scratch_.planes[*k].straddling(corners, tolerance_, cover, found.data());
+            if (cover == Cover::all) return {0, whole(corners)};
+            if (cover == Cover::part) edges.add(found.data(), count);
+        }
+        if (edges.is_closed()) return {0, whole(corners)};
+        if (edges.are_none()) {
+            const float all = whole(corners);
+            return {all, all};
+        }
+        const bool is_small =
+            kernel_.is_smooth(corners, squared_size(corners), largest_share_to_cut);
+        if (edges.is_one() && (is_small || more == 0)) return cut(corners, edges.first());
+        if (!edges.is_one() && cuts == 0) return sampled(corners, begin, end);
+        Share sum;
+        for (int q = 0; q < 4; ++q) {
+            const Share part = edges.is_one()
+                                   ? visible_share(quarter(corners, q), begin, end, cuts, more - 1)
+                                   : visible_share(quarter(corners, q), begin, end, cuts - 1, more);
+            sum.visible += part.visible;
+            sum.whole += part.whole;
+        }
+        return sum;
+    }
+
+    Share cut(const FourPoints& corners, const Straddle& straddle) const {
+        const OuterPart outer = outer_part(corners, straddle);
+        const Eigen::Vector3f middle = centroid(corners);
+        FourPoints points;
+        points.x << outer.centroid[0], middle[0], middle[0], middle[0];
+        points.y << outer.centroid[1], middle[1], middle[1], middle[1];
+        points.z << outer.centroid[2], middle[2], middle[2], middle[2];
+        const Eigen::Array4f light = kernel_.at(points);
+        const float all = whole(corners);
+        if (!(light[1] > 0)) return {all * outer.share, all};
+        return {std::min(all, all * outer.share * light[0] / light[1]), all};
+    }
+
+    /// Four rays.
+    Share sampled(const FourPoints& corners, const std::uint32_t* begin, const std::uint32_t* end) {
+        const FourPoints points = quarter_centres(corners);
+        Eigen::Array4f open = Eigen::Array4f::Ones();
+        for (const std::uint32_t* k = begin; k != end; ++k)
+            open = (1.0F - scratch_.planes[*k].hides(points)).min(open);
+        scratch_.report.rays += 4;
+        const Eigen::Array4f light = kernel_.at(points);
+        const float all = whole(corners), sum = light.sum();
+        if (!(sum > 0)) return {0, all};
+        return {all * (light * open).sum() / sum, all};
+    }
+
+    float whole(const FourPoints& corners) const {
+        if (!kernel_.is_smooth(corners, squared_size(corners))) {
+            Quad quad;
+            for (int k = 0; k < 4; ++k)
+                quad.vertex[static_cast<std::size_t>(k)] =
+                    corners[k].cast<double>() + cells_.centre();
+            return kernel_.exact_flux(quad);
+        }
+        return 0.25F * area(corners) * kernel_.at(quarter_centres(corners)).sum();
+    }
+
+    const ElementCells& cells_;
+    const LightKernel& kernel_;
+    Scratch& scratch_;
+    float tolerance_;
+    Packed intensity_ = Packed::Zero();
+    double lit_ = 0;  ///< flux on cells that see all of the lamp, for 1 cd [lm]
+};
+
+ShadowProjection::ShadowProjection(const RadianceSpace& space, std::vector<Quad> quads,
+                                   const OccluderTree& occluders,
+                                   const ShadowProjectionOptions& options)
+    : quads_(std::move(quads)),
+      occluders_(occluders),
+      options_(options),
+      threads_(std::make_unique<Threads>()) {
+    LIGHTWELL_CHECK_OP(occluders.quad_count(), ==, static_cast<int>(quads_.size()));
+    for (const Element& element : space.elements()) {
+        cells_.emplace_back(element);
+        quad_of_.push_back(element.quad);
+    }
+    order_.resize(cells_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+        return cells_[a].tree().functions() > cells_[b].tree().functions();
+    });
+}
+
+ShadowProjection::~ShadowProjection() = default;
+
+void ShadowProjection::project(const std::vector<Light>& lights, PackedField& direct) {
+    shadows_.resize(std::max(shadows_.size(), lights.size()));
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+        shadows_[l].clear();
+        for (const Quad& quad : quads_)
+            shadows_[l].emplace_back(position_of(lights[l]), quad);
+    }
+    tbb::parallel_for(
+        std::size_t{0}, order_.size(),
+        [&](std::size_t k) {
+            const std::size_t e = order_[k];
+            const ElementCells& cells = cells_[e];
+            Scratch& scratch = threads_->scratch.local();
+            const auto count = static_cast<Eigen::Index>(cells.tree().functions());
+            if (scratch.flux.cols() < count) scratch.flux.resize(4, count);
+            scratch.flux.leftCols(count).setZero();
+            for (std::size_t l = 0; l < lights.size(); ++l) {
+                const LightKernel kernel(lights[l], cells);
+                if (!(kernel.height() > 0)) continue;
+                const Quad quad = quads_[static_cast<std::size_t>(quad_of_[e])];
+                occluders_.collect(region_between(position_of(lights[l]), ConvexPolygon(quad)),
+                                   quad_of_[e], free_point, scratch.found);
+                scratch.planes.clear();
+                for (const int found : scratch.found) {
+                    const Shadow& shadow = shadows_[l][static_cast<std::size_t>(found)];
+                    if (!shadow.empty()) scratch.planes.emplace_back(shadow, cells.centre());
+                }
+                const auto* spot = std::get_if<SpotLight>(&lights[l]);
+                const Rgb& intensity =
+                    spot != nullptr ? spot->intensity : std::get<PointLight>(lights[l]).intensity;
+                ElementVisit(cells, kernel, intensity, scratch).run(options_.edge_error);
+            }
+            cells.analyse(scratch.flux, direct);
+        },
+        tbb::simple_partitioner());
+    report_ = {};
+    for (Scratch& scratch : threads_->scratch) {
+        report_.lit_cells += scratch.report.lit_cells;
+        report_.edge_cells += scratch.report.edge_cells;
+        report_.rays += scratch.report.rays;
+        scratch.report = {};
+    }
+}
+
+}  // namespace lightwell

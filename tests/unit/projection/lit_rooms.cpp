@@ -1,0 +1,89 @@
+#include "tests/unit/projection/lit_rooms.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "radiance4d/operator/light_projection.h"
+#include "tests/unit/drawing/room_with_blocks.h"
+
+namespace lightwell::testing {
+
+RadianceField LitRoom::truth(const std::vector<Light>& lights) const {
+    return projected_lights(space, lights, quads, occluders);
+}
+
+double LitRoom::flux(std::size_t element, const RadianceField& field) const {
+    const Element& e = space.element(element);
+    return M_PI * std::sqrt(e.area()) * field(e.first, 0);
+}
+
+double LitRoom::total_flux(const RadianceField& field) const {
+    return lightwell::total_flux(space, field)[0];
+}
+
+PackedField LitRoom::darkness() const {
+    return PackedField::Zero(4, space.functions());
+}
+
+LitRoom lit_room(const std::vector<Quad>& quads, double cell) {
+    std::vector<Element> elements;
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        const Quad& quad = quads[q];
+        Element element;
+        element.quad = static_cast<int>(q);
+        element.geometry = quad;
+        element.set_space(tree_for_extents((quad.vertex[1] - quad.vertex[0]).norm(),
+                                           (quad.vertex[3] - quad.vertex[0]).norm(), cell, 8),
+                          {});
+        elements.push_back(element);
+    }
+    return {quads, RadianceSpace(elements), OccluderTree(quads)};
+}
+
+LitRoom closed_room(double cell) {
+    return lit_room(room_with_blocks(), cell);
+}
+
+std::vector<Vec3> places_in_closed_room(int anywhere) {
+    std::vector<Vec3> places;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> uniform(0.02, 0.98);
+    while (static_cast<int>(places.size()) < anywhere) {
+        const Vec3 place(3 * uniform(random), 4 * uniform(random), 2.5 * uniform(random));
+        const bool is_beside_blocks = (place - Vec3(0.9, 2.6, place[2])).norm() > 0.7 &&
+                                      (place - Vec3(2.1, 1.9, place[2])).norm() > 0.6;
+        if (is_beside_blocks) places.push_back(place);
+    }
+    const double near = 1e-3;
+    for (const Vec3& place :
+         {Vec3(near, 1.3, 1.1), Vec3(3 - near, 0.7, 1.9), Vec3(1.4, near, 0.5),
+          Vec3(2.2, 4 - near, 1.2), Vec3(0.8, 0.9, near), Vec3(1.7, 2.8, 2.5 - near)})
+        places.push_back(place);
+    return places;
+}
+
+PointLight lamp(const Vec3& position) {
+    return {"lamp", position, Rgb(100, 60, 30)};
+}
+
+SpotLight spot(const Vec3& position, const Vec3& direction, double inner, double outer) {
+    return {"spot", position, Rgb(100, 60, 30), direction.normalized(), inner, outer};
+}
+
+void expect_same_flux(const LitRoom& room, const RadianceField& field, const RadianceField& truth,
+                      double relative, double of_total, const std::string& name) {
+    const double total = room.total_flux(truth);
+    EXPECT_NEAR(room.total_flux(field), total, of_total * total) << name;
+    for (std::size_t e = 0; e < room.space.elements().size(); ++e) {
+        const double expected = room.flux(e, truth);
+        if (expected > 1e-4 * total)
+            EXPECT_NEAR(room.flux(e, field), expected, relative * expected)
+                << name << ", element " << e;
+        else
+            EXPECT_NEAR(room.flux(e, field), expected, 1e-5 * total) << name << ", element " << e;
+    }
+}
+
+}  // namespace lightwell::testing
