@@ -11,7 +11,7 @@ namespace {
 
 /// L1 norm of all changes of a band, relative to its light, after which it is multiplied anew: each
 /// leaves a rounding error of 6e-8 of itself.
-constexpr double most_changes = 100;
+constexpr double most_changes = 20;
 
 float magnitude(const Packed& amount) {
     return amount.abs().sum();

@@ -40,7 +40,7 @@ struct UpdateReport {
 /// the budget takes those with the largest |change| times the norm of their column of H; columns
 /// without coefficients cost nothing.
 ///
-/// Rounding does not pile up: a band whose changes have come to 100 times its light is multiplied
+/// Rounding does not pile up: a band whose changes have come to 20 times its light is multiplied
 /// again as it is, and so is everything once at rest. Nothing is allocated after construction.
 class IncrementalUpdate {
   public:
