@@ -15,7 +15,7 @@ Settings settings_for(const PrecomputeOptions& options, double distance, std::si
     const double crowding =
         std::sqrt(16.0 / static_cast<double>(std::max<std::size_t>(elements, 16)));
     const double tolerance = options.oracle == OracleKind::geometric
-                                 ? 4e-5 * std::pow(options.error / 0.05, 1.5) * crowding
+                                 ? 4e-5 * std::pow(options.error / 0.05, 1.75) * crowding
                                  : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
     settings.truncation = options.truncation.value_or(0.6 * options.error);

@@ -46,7 +46,7 @@ NeumannSeries truncated_series(const SymmetricOperator& bounce, const Eigen::Arr
     }
     // The powers themselves are truncated while they are formed; if that alone costs too much, less
     // is.
-    constexpr double share_of_powers = 0.6;
+    constexpr double share_of_powers = 0.75;
     constexpr int most_passes = 4;
     const double guess =
         threshold_for_budget(magnitudes_of(one_bounce, rule.weight), independent_share * target);

@@ -59,19 +59,12 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
     // Where every sample looked away the facets are slivers: their exchange is spread evenly.
     const double even = 1.0 / (children.receivers * children.senders);
     const OpenShares open = open_shares(link, children);
-    double shared = 0;
     for (int i = 0; i < children.receivers; ++i) {
         for (int j = 0; j < children.senders; ++j) {
             const double part = sum > 0 ? kernel[i][j] * area_x[i] * area_y[j] / sum : even;
             strata.exchange[i][j] = whole * part * open.receiver[i] * open.sender[j] * seen[i][j];
-            shared += strata.exchange[i][j];
         }
     }
-    // Noise must not make more than there is.
-    if (shared > whole)
-        for (auto& row : strata.exchange)
-            for (double& exchange : row)
-                exchange *= whole / shared;
 }
 
 }  // namespace
