@@ -43,6 +43,10 @@ double lobe_albedo(const Lobe& lobe, double cosine) {
     return with_unit_lobe(lobe, 0.0, [&](const auto& unit) { return unit.albedo(cosine); });
 }
 
+double lobe_square(const Lobe& lobe, double cosine) {
+    return with_unit_lobe(lobe, 0.0, [&](const auto& unit) { return unit.square(cosine); });
+}
+
 Vec3 sampled_direction(const Lobe& lobe, const Vec3& given, const Vec2& square) {
     LIGHTWELL_CHECK(!std::holds_alternative<NoLobe>(lobe));
     return with_unit_lobe(lobe, Vec3(Vec3::Zero()),

@@ -21,6 +21,8 @@ Rgb lobe_reflectance(const Lobe& lobe);
 double lobe_value(const Lobe& lobe, const Vec3& in, const Vec3& out);
 /// Albedo of the lobe without its reflectance towards directions of this cosine, in [0,1].
 double lobe_albedo(const Lobe& lobe, double cosine);
+/// Int f^2 cos dw of the lobe without its reflectance, given a direction of this cosine [1/sr].
+double lobe_square(const Lobe& lobe, double cosine);
 /// A direction drawn nearly in proportion to the lobe times the cosine, given the other direction;
 /// z < 0 where the lobe reaches below the surface. There must be a lobe.
 Vec3 sampled_direction(const Lobe& lobe, const Vec3& given, const Vec2& square);

@@ -30,26 +30,35 @@ double UnitGgx::value(const Vec3& in, const Vec3& out) const {
     return facets((in + out).normalized()) / (4 * below);
 }
 
-double UnitGgx::albedo(double cosine) const {
-    // Mean of G2/G1 over what `sampled` draws, which takes the peak away; half of the square
-    // suffices, the rest mirrors it. The steep facets, which mirror light below the surface, are
-    // few and lie at the end of the radii: these are spaced by the cube.
+// What is drawn takes the peak away. Half of the square suffices, the rest mirrors it. The steep
+// facets, which mirror light below the surface, are few and lie at the end of the radii: these are
+// spaced by the cube.
+template <typename Weight>
+double UnitGgx::mean_reflected(double cosine, const Weight& weight) const {
     constexpr int radii = 128, turns = 192;
     const Vec3 given(std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine);
     double sum = 0;
     for (int i = 0; i < radii; ++i) {
         const double left = 1 - (i + 0.5) / radii;
-        const double weight = 3 * left * left;
         for (int j = 0; j < turns; ++j) {
             const double turn = 0.25 + 0.5 * (j + 0.5) / turns;
             const Vec3 out = sampled(given, {1 - left * left * left, turn});
             if (!(out[2] > 0)) continue;
             // (1 + Lambda_i) / (1 + Lambda_i + Lambda_o), both sides times mu_i mu_o.
             const double seen = out[2] * (cosine + hidden(cosine));
-            sum += weight * seen / (seen + cosine * hidden(out[2]));
+            sum += 3 * left * left * weight(given, out) * seen / (seen + cosine * hidden(out[2]));
         }
     }
     return sum / (radii * turns);
+}
+
+double UnitGgx::albedo(double cosine) const {
+    return mean_reflected(cosine, [](const Vec3&, const Vec3&) { return 1.0; });
+}
+
+double UnitGgx::square(double cosine) const {
+    return mean_reflected(cosine,
+                          [this](const Vec3& in, const Vec3& out) { return value(in, out); });
 }
 
 Vec3 UnitGgx::sampled(const Vec3& given, const Vec2& square) const {

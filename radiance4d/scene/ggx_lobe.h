@@ -17,6 +17,8 @@ class UnitGgx {
     /// Albedo a(theta): the share of the light from a direction of this cosine that is reflected
     /// once and leaves, in [0,1], to 3e-5.
     double albedo(double cosine) const;
+    /// Int f^2 cos dw over the other direction [1/sr]: how much the lobe concentrates light.
+    double square(double cosine) const;
     /// A direction from the facets that `given` sees, each as often as it is seen (Heitz 2018);
     /// below the surface where a facet mirrors it there.
     Vec3 sampled(const Vec3& given, const Vec2& square) const;
@@ -28,6 +30,10 @@ class UnitGgx {
     /// cosine: finite at grazing angles.
     double hidden(double cosine) const;
     double facets(const Vec3& half) const;
+    /// The mean of G2/G1 times `weight(given, out)` over what `sampled` draws, none below the
+    /// surface: Int f weight cos dw.
+    template <typename Weight>
+    double mean_reflected(double cosine, const Weight& weight) const;
 
     double alpha_;
 };

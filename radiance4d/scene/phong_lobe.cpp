@@ -18,7 +18,13 @@ Vec3 mirrored(const Vec3& direction) {
 }  // namespace
 
 double UnitPhong::value(const Vec3& in, const Vec3& out) const {
-    return (n_ + 2) / (2 * M_PI) * std::pow(std::max(0.0, mirrored(in).dot(out)), n_);
+    const double cosine = mirrored(in).dot(out);
+    return cosine > 0 ? (n_ + 2) / (2 * M_PI) * std::pow(cosine, n_) : 0;
+}
+
+// The square is a lobe of twice the exponent: f_n^2 = (n+2)^2 / (4 pi^2) * 2 pi / (2 n + 2) f_2n.
+double UnitPhong::square(double cosine) const {
+    return (n_ + 2) * (n_ + 2) / (4 * M_PI * (n_ + 1)) * UnitPhong(2 * n_).albedo(cosine);
 }
 
 // In polar coordinates (alpha, phi) about the mirror direction, at theta from the normal, the
@@ -57,7 +63,8 @@ Vec3 UnitPhong::sampled(const Vec3& given, const Vec2& square) const {
 }
 
 double UnitPhong::density(const Vec3& given, const Vec3& sampled) const {
-    return (n_ + 1) / (2 * M_PI) * std::pow(std::max(0.0, mirrored(given).dot(sampled)), n_);
+    const double cosine = mirrored(given).dot(sampled);
+    return cosine > 0 ? (n_ + 1) / (2 * M_PI) * std::pow(cosine, n_) : 0;
 }
 
 }  // namespace lightwell

@@ -16,6 +16,8 @@ class UnitPhong {
     /// Albedo a(theta): the share of the light from a direction of this cosine that is reflected,
     /// to 1e-12. It falls from 1 at normal incidence.
     double albedo(double cosine) const;
+    /// Int f^2 cos dw over the other direction [1/sr]: how much the lobe concentrates light.
+    double square(double cosine) const;
     /// A direction of density (n+1)/(2 pi) cos(alpha)^n per solid angle about the mirror direction
     /// of `given`; below the surface where the lobe is cut off.
     Vec3 sampled(const Vec3& given, const Vec2& square) const;

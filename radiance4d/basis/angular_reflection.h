@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "radiance4d/basis/haar.h"
+#include "radiance4d/scene/material.h"
+
+namespace lightwell {
+
+/// How well a lobe is to be represented.
+struct AngularResolution {
+    /// Largest relative error of the reflected light of a point source, root mean square over where
+    /// it stands and where one looks; in (0,1).
+    double tolerance = 0.4;
+    /// Levels of the angular square at most, 1 to 5: 4^5 cells, of about 2 degrees at the normal.
+    int most_levels = 5;
+};
+
+/// The angular square [0,1]^2 of directions, cut in four `levels` times; its cells are measured by
+/// their share of the square, so that a direction's cosine is in the measure.
+HaarBasis angular_basis(int levels);
+
+/// How the lobe of a material reflects, in Haar functions over (s,t) x (s',t'): incident radiance
+/// becomes radiance that leaves,
+///     L_o(s,t) = Int pi f(s,t; s',t') L(s',t') ds' dt',
+/// with the cosine in ds' dt' (see direction_map.h). For a lobe of reflectance 1; the operator of a
+/// material is reflectance * matrix() plus the diffuse part, which touches the mean alone.
+///
+/// Computed once per material: the kernel pi f is integrated adaptively over pairs of cells, deeper
+/// where it varies, down to half of the finest cells, and scaled so that uniform light is reflected
+/// by the lobe's albedo in every cell. The level is the coarsest that meets
+/// the tolerance (WRT section 4.3.2: the resolution of the BRDF's wavelets decides the angular
+/// refinement).
+class AngularReflection {
+  public:
+    /// No lobe: one angular cell, which reflects nothing.
+    AngularReflection() = default;
+    explicit AngularReflection(const Lobe& lobe, const AngularResolution& resolution = {});
+
+    /// Angular levels that the material needs; 0 without a lobe.
+    int level() const { return level_; }
+    /// Relative error, as in AngularResolution, at each level from 0 to level().
+    const std::vector<double>& error_by_level() const { return error_by_level_; }
+    /// Relative error at level(). Larger than the tolerance where no level follows the lobe.
+    double error() const { return error_by_level_.back(); }
+    /// Whether the representation meets the tolerance.
+    bool follows() const { return follows_; }
+    /// The operator, functions x functions at level(): symmetric (Helmholtz), norm at most 1, the
+    /// first entry the mean albedo of the lobe.
+    const RowMatrix& matrix() const { return matrix_; }
+
+  private:
+    int level_ = 0;
+    bool follows_ = true;
+    std::vector<double> error_by_level_ = {0};
+    RowMatrix matrix_ = RowMatrix::Zero(1, 1);
+};
+
+}  // namespace lightwell
