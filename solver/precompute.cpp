@@ -170,8 +170,12 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
         area += element.area();
     const std::unique_ptr<Oracle> oracle =
         make_oracle(options, settings, ground.quads, ground.visibility, area);
+    OracleCost links_cost;
     std::vector<PairLinks> pairs =
-        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, cost);
+        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, links_cost);
+    cost.rays += links_cost.rays;
+    report.links_judged += links_cost.links_judged;
+    report.link_rays += links_cost.rays;
     clock.lap("links");
 
     // 3. Energy: what sampled links lack in closed surroundings.
@@ -248,7 +252,6 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
         tighten(options, missed, settings);
     }
     report.error_by_light = estimate.by_light;
-    report.links_judged = cost.links_judged;
 
     Provenance& provenance = transport.provenance;
     provenance.program = "lightwell";

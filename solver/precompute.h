@@ -40,6 +40,7 @@ struct PrecomputeReport {
     std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids
     std::uint64_t cells = 0;             ///< finest cells of all elements
     std::uint64_t links_judged = 0;
+    std::uint64_t link_rays = 0;     ///< of Provenance::rays, those that judged links
     int attempts = 0;                ///< operators built until one was good enough
     std::int64_t estimate_rays = 0;  ///< traced to judge them, beside those in Provenance::rays
     std::vector<double>

@@ -18,6 +18,7 @@
 #include "runtime/propagation/incremental_update.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
+#include "tests/bench/counted_runs.h"
 
 namespace lightwell {
 
@@ -201,9 +202,5 @@ void register_all() {
 
 int main(int argc, char** argv) {
     lightwell::register_all();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-    return 0;
+    return lightwell::run_and_count(argc, argv);
 }

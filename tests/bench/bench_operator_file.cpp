@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "radiance4d/operator/operator_file.h"
+#include "tests/bench/counted_runs.h"
 
 namespace lightwell {
 
@@ -116,4 +117,6 @@ BENCHMARK(write_operator)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace lightwell
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    return lightwell::run_and_count(argc, argv);
+}

@@ -9,6 +9,7 @@
 
 #include "radiance4d/scene/visibility.h"
 #include "solver/reading/scene_reader.h"
+#include "tests/bench/counted_runs.h"
 
 namespace lightwell {
 namespace {
@@ -158,4 +159,6 @@ BENCHMARK_CAPTURE(visibility_against_embree, office, std::string("office"))
 }  // namespace
 }  // namespace lightwell
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    return lightwell::run_and_count(argc, argv);
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lightwell {
+
+/// One line of a chart.
+struct Series {
+    std::string name;
+    std::vector<std::pair<double, double>> points;  ///< x and y, all > 0, in the order to be joined
+};
+
+/// Numbers drawn one against the other, both axes logarithmic.
+struct Chart {
+    std::string title;
+    std::string x_label;
+    std::string y_label;
+    std::vector<Series> series;  ///< at least one point among them
+};
+
+/// The chart as an SVG picture.
+std::string svg_of(const Chart& chart);
+
+/// The chart as rows of series,x,y under a header of the labels.
+std::string csv_of(const Chart& chart);
+
+/// y = factor x^exponent.
+struct PowerLaw {
+    double factor = 1;
+    double exponent = 0;
+};
+
+/// Least squares of log y on log x, over at least two different x.
+PowerLaw fitted_power(const std::vector<std::pair<double, double>>& points);
+
+}  // namespace lightwell
