@@ -43,21 +43,17 @@ FourPoints::FourPoints(const Quad& quad, const Vec3& origin) {
 }
 
 ElementCells::ElementCells(const Element& element)
-    : tree_(element.space.tree()),
+    : haar_(element.space),
       first_(element.first),
       centre_(element.geometry.centre()),
       normal_(element.geometry.normal()),
       extent_(longer_diagonal(element.geometry)) {
     LIGHTWELL_CHECK_OP(element.angle.functions(), ==, 1U);
-    const std::uint32_t first_finest = tree_.positions() - tree_.functions();
-    for (std::uint32_t position = 0; position < tree_.positions(); ++position) {
-        const Cell cell = tree_.at(position);
+    for (std::uint32_t position = 0; position < tree().positions(); ++position) {
+        const Cell cell = tree().at(position);
         const Quad quad = element.cell(cell);
         corners_.emplace_back(quad, centre_);
-        if (position < first_finest) {
-            frame_.emplace_back(element.space.frame(cell).cast<float>());
-            continue;
-        }
+        if (!tree().is_finest(cell)) continue;
         cell_.push_back(quad);
         nodes_.push_back(nodes_of(quad, centre_));
         per_flux_.push_back(
@@ -66,32 +62,9 @@ ElementCells::ElementCells(const Element& element)
 }
 
 void ElementCells::analyse(PackedField& flux, PackedField& field) const {
-    for (std::uint32_t m = 0; m < tree_.functions(); ++m)
+    for (std::uint32_t m = 0; m < tree().functions(); ++m)
         flux.col(m) *= per_flux_[m];
-    // The scaling coefficient of a parent takes the place of one that has been read before.
-    for (int level = tree_.levels() - 1; level >= 0; --level) {
-        const std::uint32_t children = tree_.children(level);
-        const std::uint32_t first_position = tree_.position({level, 0});
-        for (std::uint32_t m = 0; m < tree_.cells(level); ++m) {
-            const Frame& weights = frame_[first_position + m];
-            if (children == 4) {
-                const Packed a = flux.col(4 * m), b = flux.col(4 * m + 1);
-                const Packed c = flux.col(4 * m + 2), d = flux.col(4 * m + 3);
-                const std::uint32_t wavelet = first_ + tree_.wavelet({level, m}, 1);
-                for (std::uint32_t k = 1; k < 4; ++k)
-                    field.col(wavelet + k - 1) = weights(k, 0) * a + weights(k, 1) * b +
-                                                 weights(k, 2) * c + weights(k, 3) * d;
-                flux.col(m) =
-                    weights(0, 0) * a + weights(0, 1) * b + weights(0, 2) * c + weights(0, 3) * d;
-            } else {
-                const Packed a = flux.col(2 * m), b = flux.col(2 * m + 1);
-                field.col(first_ + tree_.wavelet({level, m}, 1)) =
-                    weights(1, 0) * a + weights(1, 1) * b;
-                flux.col(m) = weights(0, 0) * a + weights(0, 1) * b;
-            }
-        }
-    }
-    field.col(first_) = flux.col(0);
+    haar_.analyse(flux, field, first_);
 }
 
 }  // namespace lightwell

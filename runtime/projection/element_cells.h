@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "radiance4d/basis/radiance_space.h"
-#include "runtime/propagation/packed_field.h"
+#include "runtime/propagation/packed_haar.h"
 
 namespace lightwell {
 
@@ -26,7 +26,7 @@ class ElementCells {
   public:
     explicit ElementCells(const Element& element);
 
-    const CellTree& tree() const { return tree_; }
+    const CellTree& tree() const { return haar_.tree(); }
     const Vec3& centre() const { return centre_; }
     /// Points to the air.
     const Vec3& normal() const { return normal_; }
@@ -53,9 +53,7 @@ class ElementCells {
     void analyse(PackedField& flux, PackedField& field) const;
 
   private:
-    using Frame = Eigen::Matrix<float, 4, 4, Eigen::RowMajor>;
-
-    CellTree tree_;
+    PackedHaar haar_;
     std::uint32_t first_;
     Vec3 centre_, normal_;
     double extent_;
@@ -63,7 +61,6 @@ class ElementCells {
     std::vector<Nodes> nodes_;
     std::vector<Quad> cell_;
     std::vector<float> per_flux_;  ///< scaling coefficient of a finest cell per flux on it
-    std::vector<Frame> frame_;     ///< by position, as HaarBasis::frame
 };
 
 }  // namespace lightwell

@@ -14,6 +14,7 @@
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/visibility.h"
+#include "runtime/frame.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/incremental_update.h"
 #include "solver/precompute.h"
@@ -153,6 +154,29 @@ void ray_per_cell(benchmark::State& state, const std::string& name) {
     state.counters["rays"] = static_cast<double>(middles.size());
 }
 
+// All that a moved lamp costs before drawing; the stages' shares as counters, mean milliseconds.
+void whole_frame(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    Frame frame(scene.transport, std::make_unique<ShadowProjection>(scene.transport.space,
+                                                                    scene.quads, scene.occluders));
+    double projection = 0, propagated = 0, synthesis = 0;
+    int step = 0;
+    for (auto _ : state) {
+        const FrameReport& report = frame.light(scene.lamp(step++ % 20));
+        projection += report.projection_seconds;
+        propagated += report.propagation_seconds;
+        synthesis += report.synthesis_seconds;
+    }
+    const auto mean = [&](double seconds) {
+        return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations);
+    };
+    state.counters["projection"] = mean(projection);
+    state.counters["propagation"] = mean(propagated);
+    state.counters["synthesis"] = mean(synthesis);
+    state.counters["texels"] = static_cast<double>(frame.textures().size().columns) *
+                               static_cast<double>(frame.textures().size().rows);
+}
+
 void register_all() {
     const auto in_ms = [](benchmark::internal::Benchmark* bench) {
         return bench->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -164,6 +188,9 @@ void register_all() {
         in_ms(benchmark::RegisterBenchmark(
             named("PlainProduct", name).c_str(),
             [name](benchmark::State& state) { plain_product(state, name); }));
+        in_ms(benchmark::RegisterBenchmark(
+            named("Frame", name).c_str(),
+            [name](benchmark::State& state) { whole_frame(state, name); }));
         in_ms(benchmark::RegisterBenchmark(
             named("ShadowProjection", name).c_str(),
             [name](benchmark::State& state) { shadow_projection(state, name); }));

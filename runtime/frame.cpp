@@ -1,0 +1,49 @@
+#include "runtime/frame.h"
+
+#include <chrono>
+#include <utility>
+
+namespace lightwell {
+
+namespace {
+
+/// Seconds between calls.
+class StageClock {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - since_).count();
+        since_ = now;
+        return seconds;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Frame::Frame(const GlobalTransport& transport, std::unique_ptr<LightProjection> projection,
+             ValueFormat format)
+    : projection_(std::move(projection)),
+      propagation_(transport, format),
+      update_(transport.space, propagation_),
+      synthesis_(transport),
+      emitted_(packed(propagated(transport.bounce, emission_of(transport.scene, transport.space)))),
+      direct_(PackedField::Zero(4, transport.space.functions())) {}
+
+const FrameReport& Frame::light(const std::vector<Light>& lamps, const UpdateOptions& options) {
+    StageClock clock;
+    projection_->project(lamps, direct_);
+    direct_ += emitted_;
+    report_.projection_seconds = clock.lap();
+
+    report_.update = update_.update(direct_, options);
+    report_.propagation_seconds = clock.lap();
+
+    report_.textures = synthesis_.synthesise(update_.indirect());
+    report_.synthesis_seconds = clock.lap();
+    return report_;
+}
+
+}  // namespace lightwell
