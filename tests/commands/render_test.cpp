@@ -102,6 +102,20 @@ TEST_F(RenderedCornellBox, GatheredLightIsTheSameLightMoreEven) {
     EXPECT_GT((gathered_sum - plain_sum).abs().maxCoeff(), 0);
 }
 
+TEST_F(RenderedCornellBox, TexturesShowTheSameLightToTheErrorOfTheOperator) {
+    const Image plain = rendered({"--view", "indirect", "--no-gather"}).image;
+    const Image textured = rendered({"--view", "indirect", "--textures"}).image;
+    double squares = 0, whole = 0;
+    for (std::size_t k = 0; k < plain.pixels().size(); ++k) {
+        squares += (plain.pixels()[k] - textured.pixels()[k]).cast<double>().square().sum();
+        whole += plain.pixels()[k].cast<double>().square().sum();
+    }
+    EXPECT_LT(squares, 0.1 * 0.1 * whole);
+    EXPECT_GT(squares, 0);
+    const Words both = {"render", file_, "-o", *folder_ / "both.png", "--textures", "--no-gather"};
+    EXPECT_EQ(lightwell(both).status, 1);
+}
+
 TEST_F(RenderedCornellBox, ExposureActsOnThePngAlone) {
     const Words words = {"render",           file_,       "--size", "32x24", "-o",
                          *folder_ / "e.png", "--exposure"};

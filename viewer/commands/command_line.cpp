@@ -170,10 +170,16 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
         *command, "--view", "VIEW",
         "total (default), direct, indirect, lux (false colour), level (the wavelet mesh)",
         [&request](const std::string& text) { request.view = view_argument("--view", text); });
-    command->add_flag_callback(
-        "--no-gather", [&request] { request.gather = false; },
+    CLI::Option* no_gather = command->add_flag_callback(
+        "--no-gather", [&request] { request.indirect = IndirectLight::smooth; },
         "show indirect light as the basis holds it, without gathering it once more at every cell: "
         "faster, less even");
+    command
+        ->add_flag_callback(
+            "--textures", [&request] { request.indirect = IndirectLight::textures; },
+            "show indirect light as a moving lamp does, from one texture per quad: fastest, with "
+            "the whole error of the stored operator")
+        ->excludes(no_gather);
     add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
               [&request](const std::string& text) {
                   request.samples = whole_argument("--samples", text, 1, 16);

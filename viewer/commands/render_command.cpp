@@ -1,6 +1,7 @@
 #include "viewer/commands/render_command.h"
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -10,7 +11,9 @@
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/direct_light.h"
+#include "runtime/frame.h"
 #include "runtime/outgoing/gathered_surfaces.h"
+#include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/reading/input_file.h"
 #include "solver/reading/scene_reader.h"
@@ -40,10 +43,18 @@ class LitSurfaces {
           direct_(opened.transport.scene, opened.visibility, opened.occluders),
           albedo_(mean_albedos(opened.transport.scene.materials)) {
         if (view_ == View::direct) return;
+        if (request.indirect == IndirectLight::textures) {
+            frame_ = std::make_unique<Frame>(
+                opened.transport, std::make_unique<ShadowProjection>(
+                                      opened.transport.space, opened.quads, opened.occluders));
+            frame_->light(lights_);
+            return;
+        }
         const Lighting lighting = light_scene(opened.transport, lights_, opened.quads,
                                               opened.occluders, Propagation::solved);
-        indirect_ = request.gather ? gathered(lighting)
-                                   : smooth_irradiance(opened.transport.space, lighting.indirect);
+        indirect_ = request.indirect == IndirectLight::gathered
+                        ? gathered(lighting)
+                        : smooth_irradiance(opened.transport.space, lighting.indirect);
     }
 
     /// What the view shows of a side of a quad, in the view's unit.
@@ -84,7 +95,11 @@ class LitSurfaces {
         if (view_ != View::direct && e >= 0) {
             const auto element = static_cast<std::size_t>(e);
             const Vec2 uv = opened_.transport.space.element(element).geometry.parameters(position);
-            light += indirect_[element].at(uv[0], uv[1]);
+            light += frame_ ? Rgb(frame_->textures()
+                                      .bilinear(element, uv[0], uv[1])
+                                      .head<3>()
+                                      .cast<double>())
+                            : indirect_[element].at(uv[0], uv[1]);
         }
         return light;
     }
@@ -93,8 +108,9 @@ class LitSurfaces {
     std::vector<Light> lights_;
     View view_;
     DirectLight direct_;
-    std::vector<Rgb> albedo_;  ///< mean, by material
-    std::vector<SmoothSurface> indirect_;
+    std::vector<Rgb> albedo_;              ///< mean, by material
+    std::vector<SmoothSurface> indirect_;  ///< by element, unless it is in textures:
+    std::unique_ptr<Frame> frame_;
 };
 
 Camera chosen_camera(const RenderRequest& request, const OpenedOperator& opened) {

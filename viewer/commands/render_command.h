@@ -20,6 +20,13 @@ enum class View {
 /// @throws InputError for any other word
 View view_argument(const std::string& option, const std::string& text);
 
+/// Where a picture's indirect light comes from.
+enum class IndirectLight {
+    gathered,  ///< solved, and gathered once more at every cell: the most even
+    smooth,    ///< solved, and read from the basis
+    textures   ///< the stored operator's, from one texture per quad: what a moving lamp shows
+};
+
 /// What `lightwell render` was asked for.
 struct RenderRequest {
     std::string operator_file;          ///< .gto
@@ -30,7 +37,7 @@ struct RenderRequest {
     double exposure = 0;  ///< of a PNG [EV], beside the automatic one
     int samples = 2;      ///< a side in every pixel
     View view = View::total;
-    bool gather = true;  ///< gather the indirect light of every cell once more
+    IndirectLight indirect = IndirectLight::gathered;
 };
 
 /// Renders a picture into a file, without a display. A PNG is exposed and toned for a screen; an
