@@ -107,11 +107,16 @@ std::string memory_text(double bytes) {
                             : fmt::format("{:.1f} GiB", mebibytes / 1024);
 }
 
-void require_memory(const std::vector<Element>& elements, double truncation,
-                    std::uint64_t max_memory) {
+double cells_of(const std::vector<Element>& elements) {
     double cells = 0;
     for (const Element& element : elements)
         cells += element.functions();
+    return cells;
+}
+
+void require_memory(const std::vector<Element>& elements, double truncation,
+                    std::uint64_t max_memory) {
+    const double cells = cells_of(elements);
     const double needed = memory_for(cells, truncation);
     const auto allowed = static_cast<double>(max_memory);
     if (needed <= allowed) return;
@@ -122,6 +127,13 @@ void require_memory(const std::vector<Element>& elements, double truncation,
         cells, by_truncation ? "with --truncation 0 " : "", memory_text(needed),
         memory_text(allowed),
         by_truncation ? "Truncate the operator" : "Ask for a larger --error"));
+}
+
+/// The elements refined as far as the settings allow.
+std::vector<Element> with_cells(std::vector<Element> elements, const Settings& settings) {
+    constexpr int most_levels = 9;
+    set_cells(elements, settings.cell_size, most_levels);
+    return elements;
 }
 
 /// Surface points a light to judge at: fewer where the albedo makes the judge's paths long.
@@ -156,10 +168,8 @@ std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& op
 GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
                       const Settings& settings, const Progress& progress, OracleCost& cost,
                       StageClock& clock, PrecomputeReport& report) {
-    constexpr int most_levels = 9;
-    std::vector<Element> elements = ground.elements;
+    std::vector<Element> elements = with_cells(ground.elements, settings);
     report.blind_sides = ground.blind_sides;
-    set_cells(elements, settings.cell_size, most_levels);
     require_memory(elements, settings.truncation, options.max_memory);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     clock.lap("elements");
@@ -249,7 +259,12 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
         const double missed = std::max(estimate.rms() / (0.9 * options.error),
                                        estimate.ninth_of_ten() / (1.15 * options.error));
         if (missed <= 1 || by_hand || too_much || report.attempts == options.most_attempts) break;
-        tighten(options, missed, settings);
+        Settings tighter = settings;
+        tighten(options, missed, tighter);
+        // What there is, is better than a failure.
+        const double cells = cells_of(with_cells(ground.elements, tighter));
+        if (memory_for(cells, tighter.truncation) > static_cast<double>(options.max_memory)) break;
+        settings = tighter;
     }
     report.error_by_light = estimate.by_light;
 

@@ -84,10 +84,10 @@ class Comparison {
         return {"Cornell box: rays for the error reached",
                 "relative rms error",
                 "rays",
-                {series("paper, links", variation_, &Reached::link_rays),
-                 series("default, links", geometric_, &Reached::link_rays),
-                 series("paper, all", variation_, &Reached::all_rays),
-                 series("default, all", geometric_, &Reached::all_rays)}};
+                {series("paper: links", variation_, &Reached::link_rays),
+                 series("default: links", geometric_, &Reached::link_rays),
+                 series("paper: all", variation_, &Reached::all_rays),
+                 series("default: all", geometric_, &Reached::all_rays)}};
     }
 
   private:

@@ -8,7 +8,7 @@ namespace lightwell {
 
 /// One line of a chart.
 struct Series {
-    std::string name;
+    std::string name;                               ///< without commas
     std::vector<std::pair<double, double>> points;  ///< x and y, all > 0, in the order to be joined
 };
 

@@ -242,6 +242,30 @@ TEST(Precompute, MoreMemoryThanAllowedIsToldBeforeTheWork) {
     EXPECT_TRUE(folder.names().empty());
 }
 
+// Attempts take smaller and smaller cells; one that does not fit is not made, and what there is
+// already is kept.
+TEST(Precompute, AnAttemptThatDoesNotFitIsNotMade) {
+    const ScratchFolder folder;
+    const auto report = [&](const Words& more) {
+        Words words = {"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error",
+                       "0.05",       "--oracle-tolerance",        "1",  "--truncation",   "0.2",
+                       "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramRun run = lightwell(words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return nlohmann::json::parse(run.out);
+    };
+    const nlohmann::json first = report({"--attempts", "1"});
+    const nlohmann::json free = report({"--attempts", "3"});
+    ASSERT_GT(free["cells"], first["cells"]) << "no attempt took smaller cells";
+    const int enough = 10000 * first["cells"].get<int>();
+    ASSERT_LT(enough, 9000 * free["cells"].get<int>());
+    const nlohmann::json bound =
+        report({"--attempts", "3", "--max-memory", std::to_string(enough)});
+    EXPECT_EQ(bound["cells"], first["cells"]);
+    EXPECT_LT(bound["attempts"], free["attempts"]);
+}
+
 // All pairs of cells exchange light by some way: without truncation the operator is dense.
 TEST(Precompute, WithoutTruncationTheMemoryOfADenseOperatorIsRequired) {
     const ScratchFolder folder;
