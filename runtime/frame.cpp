@@ -1,7 +1,8 @@
 #include "runtime/frame.h"
 
-#include <chrono>
 #include <utility>
+
+#include "runtime/projection/fastest_projection.h"
 
 namespace lightwell {
 
@@ -11,14 +12,12 @@ namespace {
 class StageClock {
   public:
     double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - since_).count();
-        since_ = now;
-        return seconds;
+        const double since = std::exchange(since_, steady_seconds());
+        return since_ - since;
     }
 
   private:
-    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+    double since_ = steady_seconds();
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLUNIFORM1FPROC>(uniform1f, loader, "glUniform1f");
     load<PFNGLUNIFORM3FPROC>(uniform3f, loader, "glUniform3f");
     load<PFNGLUNIFORM4FPROC>(uniform4f, loader, "glUniform4f");
+    load<PFNGLUNIFORMMATRIX3FVPROC>(uniform_matrix3fv, loader, "glUniformMatrix3fv");
     load<PFNGLGENBUFFERSPROC>(gen_buffers, loader, "glGenBuffers");
     load<PFNGLBINDBUFFERPROC>(bind_buffer, loader, "glBindBuffer");
     load<PFNGLBUFFERDATAPROC>(buffer_data, loader, "glBufferData");
@@ -63,12 +64,19 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLCHECKFRAMEBUFFERSTATUSPROC>(check_framebuffer_status, loader,
                                           "glCheckFramebufferStatus");
     load<PFNGLDELETEFRAMEBUFFERSPROC>(delete_framebuffers, loader, "glDeleteFramebuffers");
+    load<PFNGLGENQUERIESPROC>(gen_queries, loader, "glGenQueries");
+    load<PFNGLBEGINQUERYPROC>(begin_query, loader, "glBeginQuery");
+    load<PFNGLENDQUERYPROC>(end_query, loader, "glEndQuery");
+    load<PFNGLGETQUERYOBJECTUIVPROC>(get_query_objectuiv, loader, "glGetQueryObjectuiv");
+    load<PFNGLDELETEQUERIESPROC>(delete_queries, loader, "glDeleteQueries");
     load<PFNGLENABLEPROC>(enable, loader, "glEnable");
     load<PFNGLDISABLEPROC>(disable, loader, "glDisable");
     load<PFNGLDEPTHFUNCPROC>(depth_func, loader, "glDepthFunc");
     load<PFNGLDEPTHMASKPROC>(depth_mask, loader, "glDepthMask");
     load<PFNGLCOLORMASKPROC>(color_mask, loader, "glColorMask");
     load<PFNGLPOLYGONMODEPROC>(polygon_mode, loader, "glPolygonMode");
+    load<PFNGLDRAWBUFFERPROC>(draw_buffer, loader, "glDrawBuffer");
+    load<PFNGLREADBUFFERPROC>(read_buffer, loader, "glReadBuffer");
     load<PFNGLVIEWPORTPROC>(viewport, loader, "glViewport");
     load<PFNGLCLEARBUFFERIVPROC>(clear_bufferiv, loader, "glClearBufferiv");
     load<PFNGLCLEARBUFFERFVPROC>(clear_bufferfv, loader, "glClearBufferfv");

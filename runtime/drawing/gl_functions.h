@@ -39,6 +39,7 @@ struct GlFunctions {
     void (*uniform1f)(int, float) = nullptr;
     void (*uniform3f)(int, float, float, float) = nullptr;
     void (*uniform4f)(int, float, float, float, float) = nullptr;
+    void (*uniform_matrix3fv)(int, int, unsigned char, const float*) = nullptr;
 
     void (*gen_buffers)(int, unsigned*) = nullptr;
     void (*bind_buffer)(unsigned, unsigned) = nullptr;
@@ -62,12 +63,20 @@ struct GlFunctions {
     unsigned (*check_framebuffer_status)(unsigned) = nullptr;
     void (*delete_framebuffers)(int, const unsigned*) = nullptr;
 
+    void (*gen_queries)(int, unsigned*) = nullptr;
+    void (*begin_query)(unsigned, unsigned) = nullptr;
+    void (*end_query)(unsigned) = nullptr;
+    void (*get_query_objectuiv)(unsigned, unsigned, unsigned*) = nullptr;
+    void (*delete_queries)(int, const unsigned*) = nullptr;
+
     void (*enable)(unsigned) = nullptr;
     void (*disable)(unsigned) = nullptr;
     void (*depth_func)(unsigned) = nullptr;
     void (*depth_mask)(unsigned char) = nullptr;
     void (*color_mask)(unsigned char, unsigned char, unsigned char, unsigned char) = nullptr;
     void (*polygon_mode)(unsigned, unsigned) = nullptr;
+    void (*draw_buffer)(unsigned) = nullptr;
+    void (*read_buffer)(unsigned) = nullptr;
     void (*viewport)(int, int, int, int) = nullptr;
     void (*clear_bufferiv)(unsigned, int, const int*) = nullptr;
     void (*clear_bufferfv)(unsigned, int, const float*) = nullptr;

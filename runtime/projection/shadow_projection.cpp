@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include <Eigen/Geometry>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/scene/visibility.h"
@@ -155,10 +154,6 @@ struct ShadowProjection::Scratch {
     std::vector<EdgeCell> edge_cells;
     std::vector<std::uint32_t> edge_shadows;
     ShadowProjectionReport report;
-};
-
-struct ShadowProjection::Threads {
-    tbb::enumerable_thread_specific<Scratch> scratch;
 };
 
 /// One lamp on one element.
@@ -351,14 +346,13 @@ class ShadowProjection::ElementVisit {
 ShadowProjection::ShadowProjection(const RadianceSpace& space, std::vector<Quad> quads,
                                    const OccluderTree& occluders,
                                    const ShadowProjectionOptions& options)
-    : quads_(std::move(quads)),
-      occluders_(occluders),
-      options_(options),
-      threads_(std::make_unique<Threads>()) {
+    : quads_(std::move(quads)), occluders_(occluders), options_(options) {
     LIGHTWELL_CHECK_OP(occluders.quad_count(), ==, static_cast<int>(quads_.size()));
     for (const Element& element : space.elements()) {
         cells_.emplace_back(element);
         quad_of_.push_back(element.quad);
+        scratch_.emplace_back();
+        scratch_.back().flux = PackedField::Zero(4, element.space.tree().functions());
     }
     order_.resize(cells_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -381,10 +375,9 @@ void ShadowProjection::project(const std::vector<Light>& lights, PackedField& di
         [&](std::size_t k) {
             const std::size_t e = order_[k];
             const ElementCells& cells = cells_[e];
-            Scratch& scratch = threads_->scratch.local();
-            const auto count = static_cast<Eigen::Index>(cells.tree().functions());
-            if (scratch.flux.cols() < count) scratch.flux.resize(4, count);
-            scratch.flux.leftCols(count).setZero();
+            Scratch& scratch = scratch_[e];
+            scratch.report = {};
+            scratch.flux.setZero();
             for (std::size_t l = 0; l < lights.size(); ++l) {
                 const LightKernel kernel(lights[l], cells);
                 if (!(kernel.height() > 0)) continue;
@@ -405,11 +398,10 @@ void ShadowProjection::project(const std::vector<Light>& lights, PackedField& di
         },
         tbb::simple_partitioner());
     report_ = {};
-    for (Scratch& scratch : threads_->scratch) {
+    for (const Scratch& scratch : scratch_) {
         report_.lit_cells += scratch.report.lit_cells;
         report_.edge_cells += scratch.report.edge_cells;
         report_.rays += scratch.report.rays;
-        scratch.report = {};
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "radiance4d/basis/radiance_space.h"
@@ -52,7 +52,6 @@ class ShadowProjection : public LightProjection {
   private:
     struct Scratch;
     class ElementVisit;
-    struct Threads;
 
     std::vector<Quad> quads_;
     const OccluderTree& occluders_;
@@ -61,7 +60,7 @@ class ShadowProjection : public LightProjection {
     std::vector<int> quad_of_;                  ///< by element
     std::vector<std::size_t> order_;            ///< elements, largest first
     std::vector<std::vector<Shadow>> shadows_;  ///< by lamp and quad, of this frame
-    std::unique_ptr<Threads> threads_;
+    std::vector<Scratch> scratch_;              ///< by element
     ShadowProjectionReport report_;
 };
 

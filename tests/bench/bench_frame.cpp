@@ -15,11 +15,13 @@
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/frame.h"
+#include "runtime/projection/occlusion_query_projection.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/incremental_update.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
 #include "tests/bench/counted_runs.h"
+#include "viewer/offscreen/gl_context.h"
 
 namespace lightwell {
 
@@ -127,6 +129,21 @@ void shadow_projection(benchmark::State& state, const std::string& name) {
     state.counters["rays"] = static_cast<double>(projection.report().rays);
 }
 
+// By occlusion queries, drawn by the processor (OSMesa).
+void occlusion_query_projection(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    const std::unique_ptr<GlContext> context = make_offscreen_context();
+    OcclusionQueryOptions options;
+    options.side = static_cast<int>(state.range(0));
+    OcclusionQueryProjection projection(scene.transport.space, scene.quads, context->loader(),
+                                        options);
+    PackedField direct = PackedField::Zero(4, scene.transport.space.functions());
+    int frame = 0;
+    for (auto _ : state)
+        projection.project(scene.lamp(frame++ % 20), direct);
+    state.counters["queries"] = static_cast<double>(projection.queries());
+}
+
 void exact_projection(benchmark::State& state, const std::string& name) {
     const LitScene& scene = lit_scene(name);
     int frame = 0;
@@ -194,6 +211,11 @@ void register_all() {
         in_ms(benchmark::RegisterBenchmark(
             named("ShadowProjection", name).c_str(),
             [name](benchmark::State& state) { shadow_projection(state, name); }));
+        in_ms(benchmark::RegisterBenchmark(
+                  named("OcclusionQueryProjection", name).c_str(),
+                  [name](benchmark::State& state) { occlusion_query_projection(state, name); }))
+            ->Arg(512)
+            ->Arg(1024);
         in_ms(benchmark::RegisterBenchmark(
             named("ExactProjection", name).c_str(),
             [name](benchmark::State& state) { exact_projection(state, name); }));

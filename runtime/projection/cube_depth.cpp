@@ -1,0 +1,256 @@
+#include "runtime/projection/cube_depth.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <Eigen/Geometry>
+#include <GL/glcorearb.h>
+
+#include "radiance4d/failure.h"
+
+namespace lightwell {
+
+namespace {
+
+// Seen along a face's axis, with 45 degrees to each side. For the plane n.x = d the inverse depth
+// along the ray (X, Y, 1) is n / d . (X, Y, 1): the same bits for a quad and for any part of it.
+constexpr const char* vertex_shader = R"(#version 330 core
+layout(location = 0) in vec3 corner;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 base;
+flat out vec3 seen_plane;
+uniform vec3 lamp;
+uniform mat3 face;
+uniform float nearest;
+void main() {
+    vec3 seen = face * (corner - lamp);
+    seen_plane = face * normal / dot(normal, base - lamp);
+    gl_Position = vec4(seen.xy, seen.z - 2.0 * nearest, seen.z);
+}
+)";
+
+constexpr const char* fragment_shader = R"(#version 330 core
+flat in vec3 seen_plane;
+uniform vec4 pixel;  // shift of x, shift of y, size, and how much nearer than it is
+uniform float nearest;
+void main() {
+    vec2 at = (gl_FragCoord.xy + pixel.xy) * pixel.z;
+    gl_FragDepth = nearest * pixel.w * dot(seen_plane, vec3(at, 1.0));
+}
+)";
+
+constexpr double nearest_part = 1e-5;
+/// What is counted is drawn nearer by this part of its distance, so that a quad is not hidden by
+/// another in its own plane: some 30 roundings.
+constexpr float nearer = 1 + 4e-6F;
+
+struct Vertex {
+    std::array<float, 3> corner, normal, base;
+};
+
+std::array<float, 3> as_floats(const Vec3& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+/// The rows are a face's right, top and forward.
+Eigen::Matrix3d frame_of_face(int face) {
+    const double sign = face % 2 == 0 ? 1 : -1;
+    const int axis = face / 2;
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Zero();
+    frame(0, (axis + 1) % 3) = 1;
+    frame(1, (axis + 2) % 3) = 1;
+    frame(2, axis) = sign;
+    return frame;
+}
+
+}  // namespace
+
+CubeDepth::CubeDepth(const std::vector<Quad>& quads, const std::vector<Quad>& parts,
+                     const std::vector<int>& quad_of, int side, const GlLoader& loader)
+    : gl_(loader),
+      side_(side),
+      occluder_count_(static_cast<unsigned>(quads.size())),
+      parts_(parts),
+      program_(make_program(gl_, vertex_shader, fragment_shader)),
+      vertex_array_(make_vertex_array(gl_)),
+      vertices_(make_buffer(gl_)),
+      elements_(make_buffer(gl_)),
+      framebuffer_(make_framebuffer(gl_)),
+      depth_(make_renderbuffer(gl_, GL_DEPTH_COMPONENT32F, 3 * side, 2 * side)) {
+    LIGHTWELL_CHECK_OP(parts.size(), ==, quad_of.size());
+    Eigen::AlignedBox3d box;
+    for (const Quad& quad : quads)
+        for (const Vec3& corner : quad.vertex)
+            box.extend(corner);
+    centre_ = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+    extent_ = box.isEmpty() ? 1 : box.diagonal().norm();
+
+    std::vector<Vertex> vertices;
+    std::vector<unsigned> elements;
+    const auto add = [&](const Quad& quad, const Quad& whole) {
+        const auto first = static_cast<unsigned>(vertices.size());
+        for (const Vec3& corner : quad.vertex)
+            vertices.push_back({as_floats(corner - centre_), as_floats(whole.normal()),
+                                as_floats(whole.vertex[0] - centre_)});
+        for (const unsigned corner : {0U, 1U, 2U, 0U, 2U, 3U})
+            elements.push_back(first + corner);
+    };
+    for (const Quad& quad : quads)
+        add(quad, quad);
+    for (std::size_t p = 0; p < parts.size(); ++p)
+        add(parts[p], quads[static_cast<std::size_t>(quad_of[p])]);
+
+    gl_.bind_vertex_array(vertex_array_.name());
+    gl_.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, elements_.name());
+    gl_.buffer_data(GL_ELEMENT_ARRAY_BUFFER,
+                    static_cast<std::ptrdiff_t>(elements.size() * sizeof(unsigned)),
+                    elements.data(), GL_STATIC_DRAW);
+    gl_.bind_buffer(GL_ARRAY_BUFFER, vertices_.name());
+    gl_.buffer_data(GL_ARRAY_BUFFER, static_cast<std::ptrdiff_t>(vertices.size() * sizeof(Vertex)),
+                    vertices.data(), GL_STATIC_DRAW);
+    const std::size_t offsets[] = {offsetof(Vertex, corner), offsetof(Vertex, normal),
+                                   offsetof(Vertex, base)};
+    for (const unsigned attribute : {0U, 1U, 2U}) {
+        gl_.enable_vertex_attrib_array(attribute);
+        gl_.vertex_attrib_pointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                                  reinterpret_cast<const void*>(offsets[attribute]));
+    }
+    gl_.bind_vertex_array(0);
+    gl_.bind_buffer(GL_ARRAY_BUFFER, 0);
+
+    gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                 depth_.name());
+    gl_.draw_buffer(GL_NONE);
+    gl_.read_buffer(GL_NONE);
+    const unsigned status = gl_.check_framebuffer_status(GL_FRAMEBUFFER);
+    gl_.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    check_gl(gl_, "making a depth buffer for a lamp");
+    if (status != GL_FRAMEBUFFER_COMPLETE) throw SystemError("OpenGL cannot draw what a lamp sees");
+}
+
+CubeDepth::~CubeDepth() {
+    if (!names_.empty()) gl_.delete_queries(static_cast<int>(names_.size()), names_.data());
+}
+
+void CubeDepth::begin(bool counts_hidden, bool is_depth_kept) {
+    gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    for (const unsigned feature : {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+                                   GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL})
+        gl_.disable(feature);
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.depth_func(counts_hidden ? GL_ALWAYS : GL_GEQUAL);
+    gl_.depth_mask(is_depth_kept ? GL_TRUE : GL_FALSE);
+    gl_.polygon_mode(GL_FRONT_AND_BACK, GL_FILL);
+    gl_.use_program(program_.name());
+    gl_.bind_vertex_array(vertex_array_.name());
+    const auto at = lamp_.cast<float>();
+    gl_.uniform3f(gl_.get_uniform_location(program_.name(), "lamp"), at[0], at[1], at[2]);
+    gl_.uniform1f(gl_.get_uniform_location(program_.name(), "nearest"),
+                  static_cast<float>(nearest_part * extent_));
+}
+
+void CubeDepth::end() {
+    gl_.depth_mask(GL_TRUE);
+    gl_.bind_vertex_array(0);
+    gl_.use_program(0);
+    gl_.bind_framebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void CubeDepth::select_face(int face, float nearness) {
+    const int left = face % 3 * side_, top = face / 3 * side_;
+    gl_.viewport(left, top, side_, side_);
+    // OpenGL's matrices have their columns one after the other, as Eigen's do.
+    const Eigen::Matrix3f frame = frame_of_face(face).cast<float>();
+    gl_.uniform_matrix3fv(gl_.get_uniform_location(program_.name(), "face"), 1, GL_FALSE,
+                          frame.data());
+    const float half = 0.5F * static_cast<float>(side_);
+    gl_.uniform4f(gl_.get_uniform_location(program_.name(), "pixel"),
+                  -static_cast<float>(left) - half, -static_cast<float>(top) - half, 1 / half,
+                  nearness);
+}
+
+void CubeDepth::look_from(const Vec3& lamp) {
+    lamp_ = lamp - centre_;
+    begin(false, true);
+    const float infinitely_far = 0;
+    gl_.viewport(0, 0, 3 * side_, 2 * side_);
+    gl_.clear_bufferfv(GL_DEPTH, 0, &infinitely_far);
+    for (int face = 0; face < 6; ++face) {
+        select_face(face, 1);
+        gl_.draw_elements(GL_TRIANGLES, static_cast<int>(6 * occluder_count_), GL_UNSIGNED_INT,
+                          nullptr);
+    }
+    end();
+    check_gl(gl_, "drawing what a lamp sees");
+}
+
+bool CubeDepth::reaches_face(std::uint32_t part, int face) const {
+    const Eigen::Matrix3d frame = frame_of_face(face);
+    bool left = true, right = true, below = true, above = true, behind = true;
+    for (const Vec3& corner : parts_[part].vertex) {
+        const Vec3 seen = frame * (corner - centre_ - lamp_);
+        left = left && seen[0] < -seen[2];
+        right = right && seen[0] > seen[2];
+        below = below && seen[1] < -seen[2];
+        above = above && seen[1] > seen[2];
+        behind = behind && seen[2] < 0;
+    }
+    return !(left || right || below || above || behind);
+}
+
+void CubeDepth::issue(const std::vector<Query>& queries, std::size_t first_name) {
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        gl_.begin_query(GL_SAMPLES_PASSED, names_[first_name + k]);
+        gl_.draw_elements(
+            GL_TRIANGLES, 6, GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(std::size_t{queries[k].first} * sizeof(unsigned)));
+        gl_.end_query(GL_SAMPLES_PASSED);
+    }
+}
+
+std::size_t CubeDepth::count(std::vector<CountedPart>& parts) {
+    std::size_t needed = 0;
+    for (int face = 0; face < 6; ++face) {
+        queries_[static_cast<std::size_t>(face)].clear();
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            if (reaches_face(parts[k].part, face))
+                queries_[static_cast<std::size_t>(face)].push_back(
+                    {k, 6 * (occluder_count_ + parts[k].part)});
+        needed += 2 * queries_[static_cast<std::size_t>(face)].size();
+    }
+    if (needed > names_.size()) {
+        const std::size_t known = names_.size();
+        names_.resize(needed);
+        gl_.gen_queries(static_cast<int>(needed - known), names_.data() + known);
+    }
+
+    std::size_t issued = 0;
+    for (const bool counts_hidden : {true, false}) {
+        begin(counts_hidden, false);
+        for (int face = 0; face < 6; ++face) {
+            if (queries_[static_cast<std::size_t>(face)].empty()) continue;
+            select_face(face, nearer);
+            issue(queries_[static_cast<std::size_t>(face)], issued);
+            issued += queries_[static_cast<std::size_t>(face)].size();
+        }
+    }
+    end();
+
+    for (CountedPart& part : parts)
+        part.all = part.visible = 0;
+    std::size_t read = 0;
+    for (const bool counts_hidden : {true, false})
+        for (const std::vector<Query>& queries : queries_)
+            for (const Query& query : queries) {
+                unsigned samples = 0;
+                gl_.get_query_objectuiv(names_[read++], GL_QUERY_RESULT, &samples);
+                CountedPart& part = parts[query.counted];
+                (counts_hidden ? part.all : part.visible) += samples;
+            }
+    check_gl(gl_, "counting what a lamp sees");
+    return needed;
+}
+
+}  // namespace lightwell

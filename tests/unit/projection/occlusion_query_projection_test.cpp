@@ -1,0 +1,93 @@
+#include "runtime/projection/occlusion_query_projection.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "runtime/projection/shadow_projection.h"
+#include "tests/unit/projection/lit_rooms.h"
+#include "tests/unit/radiance4d/rooms.h"
+#include "viewer/offscreen/gl_context.h"
+
+namespace lightwell {
+namespace {
+
+using testing::closed_room;
+using testing::expect_same_flux;
+using testing::lamp;
+using testing::lit_room;
+using testing::LitRoom;
+using testing::places_in_closed_room;
+using testing::spot;
+
+class OcclusionQueries : public ::testing::Test {
+  protected:
+    RadianceField projected(const LitRoom& room, const std::vector<Light>& lights,
+                            const OcclusionQueryOptions& options = {}) {
+        OcclusionQueryProjection projection(room.space, room.quads, context_->loader(), options);
+        PackedField direct = PackedField::Constant(4, room.space.functions(), 1e6F);
+        projection.project(lights, direct);
+        EXPECT_TRUE((direct.row(3) == 0).all());
+        queries_ = projection.queries();
+        return unpacked(direct);
+    }
+
+    std::unique_ptr<GlContext> context_ = make_offscreen_context();
+    std::uint64_t queries_ = 0;
+};
+
+TEST_F(OcclusionQueries, AgreeWithShadowsAndTheExactProjectorWhereverTheLampIs) {
+    const LitRoom room = closed_room();
+    ShadowProjection shadows(room.space, room.quads, room.occluders);
+    for (const Vec3& place : places_in_closed_room(4)) {
+        const std::vector<Light> light = {lamp(place)};
+        const RadianceField field = projected(room, light);
+        std::ostringstream name;
+        name << "lamp at " << place.transpose();
+        expect_same_flux(room, field, room.truth(light), 5e-3, 2e-3, name.str());
+        PackedField direct = room.darkness();
+        shadows.project(light, direct);
+        expect_same_flux(room, field, unpacked(direct), 5e-3, 2e-3, name.str() + ", shadows");
+    }
+}
+
+TEST_F(OcclusionQueries, LoseNoLightOfALampInAClosedRoom) {
+    const LitRoom room = closed_room();
+    for (const Vec3& place : places_in_closed_room(4))
+        EXPECT_NEAR(room.total_flux(projected(room, {lamp(place)})), 4 * M_PI * 100,
+                    2e-3 * 4 * M_PI * 100)
+            << place.transpose();
+}
+
+TEST_F(OcclusionQueries, AgreeForSpots) {
+    const LitRoom room = closed_room();
+    const Vec3 place(0.5, 0.6, 2.2);
+    const std::vector<Light> light = {spot(place, Vec3(1.5, 2, 0.4) - place, 20, 35)};
+    expect_same_flux(room, projected(room, light), room.truth(light), 2e-2, 2e-3, "spot");
+}
+
+TEST_F(OcclusionQueries, AreFewWhereNothingStandsBetween) {
+    const LitRoom room = lit_room(box_walls(Vec3::Zero(), Vec3(2, 3, 4)), 0.1);
+    const std::vector<Light> light = {lamp(Vec3(0.7, 1.2, 2.9))};
+    const RadianceField field = projected(room, light);
+    EXPECT_LE(queries_, 6U * 6U * 2U);
+    EXPECT_LT((field - room.truth(light)).matrix().norm(), 1e-3 * field.matrix().norm());
+}
+
+TEST_F(OcclusionQueries, AQuadInThePlaneOfAnotherDoesNotHideIt) {
+    const Quad floor = level_rectangle(0, 2, 0, 2, 0), patch = level_rectangle(0.5, 1, 0.5, 1, 0);
+    const LitRoom room = lit_room({floor, patch}, 0.25);
+    const std::vector<Light> light = {lamp(Vec3(0.9, 1.3, 1.7))};
+    expect_same_flux(room, projected(room, light), room.truth(light), 1e-3, 1e-3, "patch");
+}
+
+TEST_F(OcclusionQueries, LightsAddUp) {
+    const LitRoom room = closed_room(0.5);
+    const Light first = lamp(Vec3(0.4, 0.5, 1.9)), second = lamp(Vec3(2.5, 3.4, 2.2));
+    const RadianceField sum = projected(room, {first}) + projected(room, {second});
+    EXPECT_LT((projected(room, {first, second}) - sum).matrix().norm(), 1e-6 * sum.matrix().norm());
+}
+
+}  // namespace
+}  // namespace lightwell
