@@ -170,8 +170,8 @@ TEST(GeometricOracle, RowsComeToOneAsTheToleranceFalls) {
 
 // Two cells that meet at a right angle, and a speck between them, so that rays decide. The strip of
 // the floor that is farthest from the wall, and exchanges least, is buried: rays from there are
-// drawn again nearer by, and by chance promise more than the two cells, all open and with nothing
-// between, exchange.
+// drawn again nearer by, where the kernel is larger. By no chance may that make more exchange than
+// the open part has.
 TEST(GeometricOracle, NoiseMakesNoMoreThanThereIs) {
     const Quad floor{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}};
     const Quad wall{{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 1, 1), Vec3(0, 0, 1)}};
@@ -194,7 +194,8 @@ TEST(GeometricOracle, NoiseMakesNoMoreThanThereIs) {
     link.receiver_facet = Facet::of(floor, floor.normal());
     link.sender_facet = Facet::of(wall, wall.normal());
     const double whole = exchange_area(link.receiver_facet, link.sender_facet);
-    int at_the_bound = 0;
+    constexpr double open_share = 7.0 / 8;
+    int unhindered = 0;
     for (std::uint32_t lot = 0; lot < 200; ++lot) {
         link.link.receiver.element = lot;  // another sequence of samples
         std::vector<int> occluders = {2};
@@ -203,11 +204,10 @@ TEST(GeometricOracle, NoiseMakesNoMoreThanThereIs) {
         const Verdict verdict = oracle.judge(link, occluders, strata, cost);
         ASSERT_EQ(verdict.act, Verdict::Act::keep);
         ASSERT_EQ(cost.rays, 4U);
-        EXPECT_LE(strata.exchange[0][0], (1 + 1e-12) * whole);
-        at_the_bound += strata.exchange[0][0] > (1 - 1e-12) * whole ? 1 : 0;
+        EXPECT_LE(strata.exchange[0][0], (1 + 1e-12) * open_share * whole);
+        unhindered += strata.exchange[0][0] > (1 - 1e-12) * open_share * whole ? 1 : 0;
     }
-    EXPECT_GT(at_the_bound, 0) << "no lot needed the bound: the test says nothing";
-    EXPECT_LT(at_the_bound, 100);
+    EXPECT_GT(unhindered, 190) << "a speck stands in the way of few rays";
 }
 
 TEST(Refiner, StopsWhenAsked) {
