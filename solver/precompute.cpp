@@ -199,8 +199,7 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     GlobalTransport transport;
     transport.scene = ground.scene;
     transport.space = RadianceSpace(std::move(elements));
-    const std::vector<Coefficient> coefficients =
-        direct_transport(transport.space, pairs, progress);
+    std::vector<Coefficient> coefficients = direct_transport(transport.space, pairs, progress);
     report.coefficients_before = coefficients.size();
     clock.lap("operator");
     const Eigen::ArrayXd albedo = reflectance_of(ground.scene, transport.space).rowwise().mean();
@@ -211,8 +210,9 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     const TrialLights tried = projected_trials(transport.space, ground, progress);
     clock.lap("ensemble");
     const TruncationTarget target{0.5 * settings.truncation, settings.truncation};
-    transport.bounce = truncated_bounce(transport.space, closed, coefficients, ensemble.total,
-                                        tried, albedo, target, progress);
+    transport.bounce = truncated_bounce(
+        BounceTruncation(transport.space, closed, std::move(coefficients), ensemble.total), tried,
+        albedo, target, progress);
     clock.lap("operator");
 
     // 5. The global transport operator.

@@ -13,18 +13,6 @@ namespace {
 /// The budget of independent errors that comes near a measured one.
 constexpr double independent_share = 0.3;
 
-/// Magnitudes of the coefficients of M. An unordered pair acts twice: the larger weight stands for
-/// both.
-std::vector<double> magnitudes_of(const std::vector<Coefficient>& coefficients,
-                                  const Eigen::ArrayXd& weight) {
-    std::vector<double> magnitudes;
-    magnitudes.reserve(coefficients.size());
-    for (const Coefficient& c : coefficients)
-        magnitudes.push_back(std::abs(static_cast<double>(c.value)) *
-                             std::max(weight[c.row], weight[c.column]));
-    return magnitudes;
-}
-
 std::vector<double> magnitudes_of(const Eigen::SparseMatrix<double>& matrix,
                                   const Eigen::ArrayXd& weight) {
     std::vector<double> magnitudes;
@@ -74,28 +62,23 @@ NeumannSeries truncated_series(const SymmetricOperator& bounce, const Eigen::Arr
 
 }  // namespace
 
-SymmetricOperator truncated_bounce(const RadianceSpace& space, const std::vector<bool>& closed,
-                                   const std::vector<Coefficient>& coefficients,
-                                   const Eigen::ArrayXd& weight, const TrialLights& tried,
+SymmetricOperator truncated_bounce(BounceTruncation truncation, const TrialLights& tried,
                                    const Eigen::ArrayXd& reflectance,
                                    const TruncationTarget& target, const Progress& progress) {
-    const auto at_threshold = [&](double threshold) {
-        return truncated(space, closed, coefficients, weight, threshold);
-    };
-    if (target.bounce == 0 || tried.empty()) return at_threshold(0);
+    if (target.bounce == 0 || tried.empty()) return truncation.at(0);
     // What a much tighter threshold keeps stands for everything: the rest would cost minutes.
     constexpr double negligible = 0.1;
-    std::vector<double> magnitudes = magnitudes_of(coefficients, weight);
     const double budget = independent_share * target.bounce;
-    const double tight = threshold_for_budget(magnitudes, negligible * budget);
-    const double guess = threshold_for_budget(std::move(magnitudes), budget);
+    const double guess = truncation.threshold_for(budget);
+    const double tight = truncation.threshold_for(negligible * budget);
+    truncation.forget_below(tight);
     const auto light_on = [&](double threshold) {
-        return solved_indirect(at_threshold(threshold), reflectance, nullptr, tried, progress);
+        return solved_indirect(truncation.at(threshold), reflectance, nullptr, tried, progress);
     };
     const TrialLights reference = light_on(tight);
     const double threshold = calibrated_threshold(
         guess, target.bounce, [&](double at) { return relative_change(light_on(at), reference); });
-    return at_threshold(std::max(threshold, tight));
+    return truncation.at(std::max(threshold, tight));
 }
 
 void sum_series(const Eigen::ArrayXd& weight, const TrialLights& tried,

@@ -2,9 +2,9 @@
 
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
+#include "solver/series/bounce_truncation.h"
 #include "solver/series/light_ensemble.h"
 #include "solver/series/trial_lights.h"
-#include "solver/transport/direct_transport.h"
 
 namespace lightwell {
 
@@ -19,13 +19,10 @@ struct TruncationTarget {
 
 /// M with as few coefficients as the target allows.
 ///
-/// @param closed       see truncated()
-/// @param weight       LightEnsemble::total
+/// @param truncation   of all coefficients
 /// @param tried        direct light of the trial lights
 /// @param reflectance  by basis function, one channel that stands for all
-SymmetricOperator truncated_bounce(const RadianceSpace& space, const std::vector<bool>& closed,
-                                   const std::vector<Coefficient>& coefficients,
-                                   const Eigen::ArrayXd& weight, const TrialLights& tried,
+SymmetricOperator truncated_bounce(BounceTruncation truncation, const TrialLights& tried,
                                    const Eigen::ArrayXd& reflectance,
                                    const TruncationTarget& target, const Progress& progress);
 

@@ -26,15 +26,4 @@ std::vector<Coefficient> direct_transport(const RadianceSpace& space,
                                           const std::vector<PairLinks>& pairs,
                                           const Progress& progress);
 
-/// Drops the coefficients with |value| * max(weight of row, weight of column) below the threshold;
-/// never those between the scaling functions of two whole elements, which carry the mean exchange
-/// and with it the energy. On closed elements uniform light becomes uniform light, whatever is
-/// dropped; on the others, what it became before.
-///
-/// @param closed  by element: whether nothing escapes from it, so that its form factors sum to one
-/// everywhere
-SymmetricOperator truncated(const RadianceSpace& space, const std::vector<bool>& closed,
-                            const std::vector<Coefficient>& coefficients,
-                            const Eigen::ArrayXd& weight, double threshold);
-
 }  // namespace lightwell

@@ -1,6 +1,6 @@
 #include "tests/unit/transport/box.h"
 
-#include "solver/transport/direct_transport.h"
+#include "solver/series/bounce_truncation.h"
 #include "solver/transport/geometric_oracle.h"
 #include "solver/transport/refiner.h"
 
@@ -42,9 +42,11 @@ std::vector<RadianceField> solve_uniform(const std::vector<Quad>& quads, int lev
     OracleCost cost;
     const std::vector<PairLinks> pairs =
         refine_links(elements, quads, OccluderTree(quads), oracle, {}, cost);
-    const SymmetricOperator bounce = truncated(
-        space, std::vector<bool>(elements.size(), true), direct_transport(space, pairs, {}),
-        Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(space.functions())), 0);
+    const SymmetricOperator bounce =
+        BounceTruncation(space, std::vector<bool>(elements.size(), true),
+                         direct_transport(space, pairs, {}),
+                         Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(space.functions())))
+            .at(0);
 
     RadianceField direct = RadianceField::Zero(space.functions(), 3);
     RadianceField rho = RadianceField::Zero(space.functions(), 3);

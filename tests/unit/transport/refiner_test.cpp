@@ -210,6 +210,29 @@ TEST(GeometricOracle, NoiseMakesNoMoreThanThereIs) {
     EXPECT_GT(unhindered, 190) << "a speck stands in the way of few rays";
 }
 
+// A floor cell that a block's face cuts in two, the half behind it buried: the half before it is
+// all that faces, so the exchange with the face is that half's, in full.
+TEST(GeometricOracle, HalfOfACellUnderABlockFacesItsFootInFull) {
+    const Quad floor{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}};
+    const Quad face{{Vec3(0.5, 0, 0), Vec3(0.5, 0, 1), Vec3(0.5, 1, 1), Vec3(0.5, 1, 0)}};
+    ASSERT_LT(face.normal()[0], 0) << "looks at the low half";
+    const std::vector<Quad> quads = {floor, face};
+    const Visibility visibility(quads);
+    std::vector<Element> elements = testing::uniform_elements(quads, 0);
+    elements[0].set_space(CellTree(), {0x0F0F0F0F0F0F0F0F});  // u < 1/2
+    GeometricOracleOptions options;
+    options.tolerance = options.partial_tolerance = 1;
+    const GeometricOracle oracle(options, quads, visibility, 2);
+    OracleCost cost;
+    const auto pairs = refine_links(elements, quads, OccluderTree(quads), oracle, {}, cost);
+    ASSERT_EQ(pairs.size(), 1U);
+    ASSERT_EQ(pairs[0].links.size(), 1U);
+    const Quad half = floor.part(0, 0.5, 0, 1);
+    const double exact =
+        exchange_area(Facet::of(half, half.normal()), Facet::of(face, face.normal()));
+    EXPECT_NEAR(pairs[0].links[0].exchange, exact, 1e-9 * exact);
+}
+
 TEST(Refiner, StopsWhenAsked) {
     const std::vector<Quad> walls = testing::box_walls({1, 1, 1});
     Progress progress;
