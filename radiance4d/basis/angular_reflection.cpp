@@ -173,20 +173,38 @@ HaarBasis angular_basis(int levels) {
     return {square, square_tree(levels)};
 }
 
+std::uint32_t finest_angular_cell(const CellTree& angle, const Vec3& direction) {
+    const Vec2 st = square_from_direction(direction.normalized());
+    const auto number = [](double at, std::uint32_t cells) {
+        return std::min(static_cast<std::uint32_t>(std::max(0.0, at) * cells), cells - 1);
+    };
+    return angle.finest_at(number(st[0], angle.columns()), number(st[1], angle.rows()));
+}
+
 AngularReflection::AngularReflection(const Lobe& lobe, const AngularResolution& resolution) {
-    LIGHTWELL_CHECK_OP(resolution.most_levels, >=, 1);
-    LIGHTWELL_CHECK_OP(resolution.most_levels, <=, 5);
+    represent(lobe, 0, resolution.most_levels, resolution.tolerance);
+}
+
+AngularReflection AngularReflection::at_level(const Lobe& lobe, int level) {
+    AngularReflection reflection;
+    reflection.represent(lobe, level, level, AngularResolution{}.tolerance);
+    return reflection;
+}
+
+void AngularReflection::represent(const Lobe& lobe, int first, int last, double tolerance) {
+    LIGHTWELL_CHECK_OP(first, >=, 0);
+    LIGHTWELL_CHECK_OP(last, <=, 5);
     if (std::holds_alternative<NoLobe>(lobe)) return;
     const double square = kernel_square(lobe);
     const AlbedoTable albedo(lobe);
     error_by_level_.clear();
-    for (level_ = 0; level_ <= resolution.most_levels; ++level_) {
+    for (level_ = first; level_ <= last; ++level_) {
         RowMatrix mean = KernelIntegral(lobe, level_).mean();
         reflect_in_all(albedo_of_cells(albedo, level_), mean);
         matrix_ = transformed(mean / static_cast<double>(mean.rows()), level_);
         error_by_level_.push_back(std::sqrt(std::max(0.0, 1 - matrix_.squaredNorm() / square)));
-        follows_ = error_by_level_.back() <= resolution.tolerance;
-        if (follows_ || level_ == resolution.most_levels) break;
+        follows_ = error_by_level_.back() <= tolerance;
+        if (follows_ || level_ == last) break;
     }
 }
 

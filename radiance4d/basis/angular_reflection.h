@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,6 +23,10 @@ struct AngularResolution {
 /// their share of the square, so that a direction's cosine is in the measure.
 HaarBasis angular_basis(int levels);
 
+/// The finest cell of the angular square that a direction of the hemisphere (any length, z >= 0)
+/// falls into.
+std::uint32_t finest_angular_cell(const CellTree& angle, const Vec3& direction);
+
 /// How the lobe of a material reflects, in Haar functions over (s,t) x (s',t'): incident radiance
 /// becomes radiance that leaves,
 ///     L_o(s,t) = Int pi f(s,t; s',t') L(s',t') ds' dt',
@@ -38,10 +43,12 @@ class AngularReflection {
     /// No lobe: one angular cell, which reflects nothing.
     AngularReflection() = default;
     explicit AngularReflection(const Lobe& lobe, const AngularResolution& resolution = {});
+    /// The same at a given level, 0 to 5, whatever its error.
+    static AngularReflection at_level(const Lobe& lobe, int level);
 
     /// Angular levels that the material needs; 0 without a lobe.
     int level() const { return level_; }
-    /// Relative error, as in AngularResolution, at each level from 0 to level().
+    /// Relative error, as in AngularResolution, at each level that was tried, up to level().
     const std::vector<double>& error_by_level() const { return error_by_level_; }
     /// Relative error at level(). Larger than the tolerance where no level follows the lobe.
     double error() const { return error_by_level_.back(); }
@@ -52,6 +59,8 @@ class AngularReflection {
     const RowMatrix& matrix() const { return matrix_; }
 
   private:
+    void represent(const Lobe& lobe, int first, int last, double tolerance);
+
     int level_ = 0;
     bool follows_ = true;
     std::vector<double> error_by_level_ = {0};

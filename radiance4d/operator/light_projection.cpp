@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "radiance4d/operator/directed_light.h"
 #include "radiance4d/scene/light_flux.h"
 #include "radiance4d/scene/visibility.h"
 #include "radiance4d/scene/visible_part.h"
@@ -60,7 +61,8 @@ RadianceField projected_lights(const RadianceSpace& space, const std::vector<Lig
     RadianceField field = RadianceField::Zero(space.functions(), 3);
     tbb::parallel_for(std::size_t{0}, space.elements().size(), [&](std::size_t e) {
         const Element& element = space.element(e);
-        RadianceField irradiance = RadianceField::Zero(element.functions(), 3);
+        const bool directed = element.angle.levels() > 0;
+        RadianceField irradiance = RadianceField::Zero(element.space.tree().functions(), 3);
         const Vec3 normal = element.geometry.normal();
         bool lit = false;
         std::vector<int> found;
@@ -70,8 +72,11 @@ RadianceField projected_lights(const RadianceSpace& space, const std::vector<Lig
             occluders.collect(region_between(position_of(light), ConvexPolygon(element.geometry)),
                               element.quad, free_point, found);
             ElementProjection(element, light, quads, irradiance).visit({}, found);
+            if (!directed) continue;
+            add_directed_light(element, position_of(light), irradiance, field);
+            irradiance.setZero();
         }
-        if (lit) set_cell_irradiance(space, e, irradiance, field);
+        if (lit && !directed) set_cell_irradiance(space, e, irradiance, field);
     });
     return field;
 }

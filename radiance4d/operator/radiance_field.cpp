@@ -9,9 +9,12 @@ namespace lightwell {
 RadianceField cell_irradiance(const RadianceSpace& space, std::size_t element,
                               const RadianceField& field) {
     const Element& e = space.element(element);
-    LIGHTWELL_CHECK_OP(e.angle.functions(), ==, 1U);
     const CellTree& tree = e.space.tree();
-    RowMatrix rows = field.middleRows(e.first, tree.functions()).matrix();
+    // The angular mean is the first angular function of each spatial one.
+    const std::uint32_t angles = e.angle.functions();
+    RowMatrix rows(tree.functions(), 3);
+    for (std::uint32_t k = 0; k < tree.functions(); ++k)
+        rows.row(k) = field.row(e.first + k * angles).matrix();
     e.space.synthesise(rows, tree.levels());
     for (std::uint32_t m = 0; m < tree.functions(); ++m)
         rows.row(m) *= M_PI / std::sqrt(e.space.area({tree.levels(), m}));

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "radiance4d/operator/radiance_field.h"
+
+namespace lightwell {
+
+/// Adds the light of a point source to a field over an element with angular functions: the light on
+/// each finest spatial cell enters the angular cells that contain its direction, in proportion to
+/// the flux on the parts of the cell from which it comes through each.
+///
+/// @param from        where the source stands [m]
+/// @param irradiance  of the element's finest cells by this source [lx], shadows included
+/// @param field       over the whole space; the element's coefficients are added to
+void add_directed_light(const Element& element, const Vec3& from, const RadianceField& irradiance,
+                        RadianceField& field);
+
+}  // namespace lightwell

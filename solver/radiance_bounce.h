@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/operator/transport_operator.h"
+#include "radiance4d/progress.h"
+#include "solver/ground.h"
+#include "solver/transport/directed_links.h"
+#include "solver/transport/geometric_oracle.h"
+
+namespace lightwell {
+
+/// How finely radiance is carried between surfaces of which some are glossy.
+struct RadianceBounceOptions {
+    double cell_size = 0.25;  ///< largest side of a finest spatial cell [m]; > 0
+    GeometricOracleOptions oracle;
+    AngularResolution angle;
+    DirectedLinkOptions directions;
+};
+
+/// What a glossy material asks for.
+struct AngularNeed {
+    std::string material;
+    int level = 0;        ///< angular levels of its sides
+    double error = 0;     ///< see AngularReflection
+    bool follows = true;  ///< whether the representation meets the tolerance
+};
+
+/// The needs of the glossy materials of a scene, known before anything is computed.
+std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResolution& resolution);
+
+/// The propagation P over space and direction, and what it cost.
+struct RadianceBounce {
+    RadianceSpace space;
+    SymmetricOperator propagation;  ///< one bounce is P R, with R the space's Reflection
+    std::uint64_t links = 0;        ///< between diffuse sides
+    std::uint64_t directed_links = 0;
+    std::uint64_t rays = 0;
+    double directions_off = 0;  ///< see close_directions
+};
+
+/// Elements, links, directed links and their operator, untruncated: sides of glossy materials get
+/// the angular cells that these need, the others none. Of a scene without gloss it is the bounce of
+/// the diffuse pipeline.
+RadianceBounce radiance_bounce(const Ground& ground, const RadianceBounceOptions& options,
+                               const Progress& progress = {});
+
+}  // namespace lightwell

@@ -1,0 +1,300 @@
+#include "solver/transport/directed_links.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/basis/direction_map.h"
+
+namespace lightwell {
+
+namespace {
+
+bool is_directed(const Element& element) {
+    return element.angle.levels() > 0;
+}
+
+/// The finest cell of a tree around a point of its square.
+std::uint32_t finest_around(const CellTree& tree, const Vec2& at) {
+    const auto number = [](double x, std::uint32_t cells) {
+        return std::min(static_cast<std::uint32_t>(std::max(0.0, x) * cells), cells - 1);
+    };
+    return tree.finest_at(number(at[0], tree.columns()), number(at[1], tree.rows()));
+}
+
+std::uint32_t finest_position(const CellTree& tree, std::uint32_t cell) {
+    return tree.position({tree.levels(), cell});
+}
+
+/// Points of [0,1)^4 that fill it evenly: the additive sequence on the generalised golden ratio
+/// (Roberts 2018), from a start of its own for every support.
+class EvenPoints4 {
+  public:
+    explicit EvenPoints4(std::uint64_t start) {
+        for (std::size_t k = 0; k < 4; ++k)
+            at_[k] = fraction(static_cast<double>(start % 65536) * step[3 - k] +
+                              static_cast<double>(start / 65536) * step[k]);
+    }
+    const std::array<double, 4>& next() {
+        for (std::size_t k = 0; k < 4; ++k)
+            at_[k] = fraction(at_[k] + step[k]);
+        return at_;
+    }
+
+  private:
+    static constexpr std::array<double, 4> step = {0.85667488385450287, 0.73389185662718776,
+                                                   0.62870672083239870, 0.53859725722360993};
+    static double fraction(double x) { return x - std::floor(x); }
+
+    std::array<double, 4> at_{};
+};
+
+Vec2 in_rect(const ParameterRect& r, double a, double b) {
+    return {r.u0 + a * (r.u1 - r.u0), r.v0 + b * (r.v1 - r.v0)};
+}
+
+/// Links by the elements they join.
+using LinksByPair = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<DirectedLink>>;
+
+/// Casts the rays of one element.
+class RayLinks {
+  public:
+    RayLinks(const std::vector<Element>& elements, const Visibility& visibility,
+             const DirectedLinkOptions& options)
+        : elements_(elements), visibility_(visibility), rays_(options.rays) {
+        for (std::size_t e = 0; e < elements.size(); ++e) {
+            by_side_[{elements[e].quad, elements[e].front}] = static_cast<std::uint32_t>(e);
+            frame_.push_back(local_frame(elements[e].geometry));
+        }
+    }
+
+    LinksByPair from(std::uint32_t e) const {
+        LinksByPair found;
+        const CellTree& space = elements_[e].space.tree();
+        const std::uint32_t angles = elements_[e].angle.functions();
+        for (std::uint32_t cell = 0; cell < space.functions(); ++cell)
+            for (std::uint32_t angle = 0; angle < angles; ++angle)
+                cast(e, cell, angle, found);
+        return found;
+    }
+
+  private:
+    void cast(std::uint32_t e, std::uint32_t cell, std::uint32_t angle, LinksByPair& found) const {
+        const Element& x = elements_[e];
+        const CellTree& space = x.space.tree();
+        const ParameterRect at = space.rect({space.levels(), cell});
+        const ParameterRect through = x.angle.rect({x.angle.levels(), angle});
+        const double part = x.space.area({space.levels(), cell}) / x.angle.functions() / rays_;
+        EvenPoints4 points(std::uint64_t{cell} * x.angle.functions() + angle);
+        for (int k = 0; k < rays_; ++k) {
+            std::array<double, 4> point = points.next();
+            Vec2 uv = in_rect(at, point[0], point[1]);
+            // What is buried sees nothing: another point of the cell stands for it.
+            constexpr int most_attempts = 64;
+            for (int i = 0; i < most_attempts && !x.is_sample_open(uv[0], uv[1]); ++i) {
+                point = points.next();
+                uv = in_rect(at, point[0], point[1]);
+            }
+            const Vec3 origin = x.geometry.point(uv[0], uv[1]);
+            const Vec3 direction =
+                frame_[e] * direction_from_square(in_rect(through, point[2], point[3]));
+            const Hit hit = visibility_.nearest(origin, x.quad, direction);
+            if (!hit) continue;
+            const auto met = by_side_.find({hit.quad, hit.front});
+            if (met == by_side_.end()) continue;
+            record({e, finest_position(space, cell), finest_position(x.angle, angle)},
+                   end_at(met->second, origin + hit.distance * direction, -direction), part, found);
+        }
+    }
+
+    /// One end of a link: element, spatial and angular position.
+    using End = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+
+    End end_at(std::uint32_t e, const Vec3& point, const Vec3& direction) const {
+        const Element& y = elements_[e];
+        const CellTree& space = y.space.tree();
+        const Vec3 local = frame_[e].transpose() * direction;
+        return {e, finest_position(space, finest_around(space, y.geometry.parameters(point))),
+                finest_position(y.angle, finest_angular_cell(y.angle, local))};
+    }
+
+    void record(const End& x, const End& y, double exchange, LinksByPair& found) const {
+        const bool both =
+            is_directed(elements_[std::get<0>(x)]) && is_directed(elements_[std::get<0>(y)]);
+        const auto& [receiver, sender] = std::minmax(x, y);
+        found[{std::get<0>(receiver), std::get<0>(sender)}].push_back(
+            {std::get<1>(receiver), std::get<2>(receiver), std::get<1>(sender), std::get<2>(sender),
+             both ? exchange / 2 : exchange, true});
+    }
+
+    const std::vector<Element>& elements_;
+    const Visibility& visibility_;
+    int rays_;
+    std::map<std::pair<int, bool>, std::uint32_t> by_side_;
+    std::vector<Eigen::Matrix3d> frame_;
+};
+
+/// Joins the links that share all supports; the order is by supports.
+void join_equal(std::vector<DirectedLink>& links) {
+    const auto supports = [](const DirectedLink& link) {
+        return std::tie(link.receiver, link.receiver_angle, link.sender, link.sender_angle);
+    };
+    std::stable_sort(links.begin(), links.end(), [&](const DirectedLink& a, const DirectedLink& b) {
+        return supports(a) < supports(b);
+    });
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < links.size(); ++k) {
+        if (supports(links[k]) == supports(links[last]))
+            links[last].exchange += links[k].exchange;
+        else
+            links[++last] = links[k];
+    }
+    links.resize(std::min(links.size(), last + 1));
+}
+
+/// The finest cells below a cell: a run of numbers.
+std::pair<std::uint32_t, std::uint32_t> finest_below(const CellTree& tree, std::uint32_t position) {
+    const Cell cell = tree.at(position);
+    const std::uint32_t count = tree.functions() / tree.cells(cell.level);
+    return {cell.index * count, (cell.index + 1) * count};
+}
+
+/// How full every direction of every finest cell is, by element: exchange over |X| |A|, of the
+/// links that are given and of those that rays decided.
+class Fullness {
+  public:
+    Fullness(const std::vector<Element>& elements, const std::vector<bool>& closed,
+             const std::vector<DirectedPair>& pairs)
+        : elements_(elements), closed_(closed) {
+        for (const Element& element : elements) {
+            given_.emplace_back(element.functions(), 0.0);
+            sampled_.emplace_back(element.functions(), 0.0);
+        }
+        for (const DirectedPair& pair : pairs)
+            for (const DirectedLink& link : pair.links) {
+                add(pair.receiver, link.receiver, link.receiver_angle, link);
+                add(pair.sender, link.sender, link.sender_angle, link);
+            }
+    }
+
+    /// By how much the sampled links of a finest support should grow.
+    double gain(std::uint32_t e, std::uint32_t space, std::uint32_t angle) const {
+        const std::size_t at =
+            place(elements_[e], finest_below(elements_[e].space.tree(), space).first, angle);
+        const double wanted = 1 - given_[e][at];
+        return closed_[e] && wanted > 0 && sampled_[e][at] > 0 ? wanted / sampled_[e][at] : 1;
+    }
+
+    double rms() const {
+        double squares = 0, area = 0;
+        for (std::size_t e = 0; e < elements_.size(); ++e) {
+            if (!closed_[e]) continue;
+            const Element& element = elements_[e];
+            const std::uint32_t angles = element.angle.functions();
+            for (std::size_t k = 0; k < given_[e].size(); ++k) {
+                const auto cell = static_cast<std::uint32_t>(k / angles);
+                const double weight =
+                    element.space.area({element.space.tree().levels(), cell}) / angles;
+                squares += weight * std::pow(given_[e][k] + sampled_[e][k] - 1, 2);
+                area += weight;
+            }
+        }
+        return area > 0 ? std::sqrt(squares / area) : 0;
+    }
+
+  private:
+    using Share = std::vector<std::vector<double>>;  // finest cell * angular cells + angular cell
+
+    static std::size_t place(const Element& element, std::uint32_t cell, std::uint32_t angle) {
+        return std::size_t{cell} * element.angle.functions() + element.angle.at(angle).index;
+    }
+
+    void add(std::uint32_t e, std::uint32_t space, std::uint32_t angle, const DirectedLink& link) {
+        const Element& element = elements_[e];
+        const double density =
+            link.exchange * element.angle.functions() / element.space.area_at(space);
+        const auto [first, end] = finest_below(element.space.tree(), space);
+        for (std::uint32_t m = first; m < end; ++m)
+            (link.sampled ? sampled_ : given_)[e][place(element, m, angle)] += density;
+    }
+
+    const std::vector<Element>& elements_;
+    const std::vector<bool>& closed_;
+    Share given_, sampled_;
+};
+
+}  // namespace
+
+std::vector<DirectedPair> directed_links(const std::vector<Element>& elements,
+                                         const std::vector<PairLinks>& given,
+                                         const Visibility& visibility,
+                                         const DirectedLinkOptions& options,
+                                         const Progress& progress, OracleCost& cost) {
+    const RayLinks rays(elements, visibility, options);
+    std::vector<LinksByPair> by_element(elements.size());
+    tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
+        progress.check();
+        if (is_directed(elements[e])) by_element[e] = rays.from(static_cast<std::uint32_t>(e));
+    });
+    LinksByPair all;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        if (is_directed(elements[e]))
+            cost.rays +=
+                std::uint64_t{elements[e].functions()} * static_cast<std::uint64_t>(options.rays);
+        for (auto& [pair, links] : by_element[e]) {
+            std::vector<DirectedLink>& joined = all[pair];
+            joined.insert(joined.end(), links.begin(), links.end());
+        }
+        by_element[e].clear();
+    }
+    for (const PairLinks& pair : given) {
+        if (is_directed(elements[pair.receiver]) || is_directed(elements[pair.sender])) continue;
+        std::vector<DirectedLink>& links = all[{pair.receiver, pair.sender}];
+        for (const LinkValue& link : pair.links)
+            links.push_back({link.receiver, 0, link.sender, 0, link.exchange, false});
+    }
+    std::vector<DirectedPair> result;
+    for (auto& [pair, links] : all) {
+        join_equal(links);
+        result.push_back({pair.first, pair.second, std::move(links)});
+    }
+    return result;
+}
+
+double close_directions(const std::vector<Element>& elements, const std::vector<bool>& closed,
+                        std::vector<DirectedPair>& pairs) {
+    constexpr int sweeps = 48;
+    constexpr double good_enough = 2e-4, most_change = 2;
+    std::vector<std::vector<double>> original;
+    for (const DirectedPair& pair : pairs) {
+        original.emplace_back();
+        for (const DirectedLink& link : pair.links)
+            original.back().push_back(link.exchange);
+    }
+    double before = 0;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        const Fullness fullness(elements, closed, pairs);
+        if (sweep == 0) before = fullness.rms();
+        if (fullness.rms() < good_enough) break;
+        for (std::size_t p = 0; p < pairs.size(); ++p)
+            for (std::size_t k = 0; k < pairs[p].links.size(); ++k) {
+                DirectedLink& link = pairs[p].links[k];
+                if (!link.sampled) continue;
+                const double wanted =
+                    fullness.gain(pairs[p].receiver, link.receiver, link.receiver_angle) *
+                    fullness.gain(pairs[p].sender, link.sender, link.sender_angle);
+                link.exchange =
+                    std::clamp(link.exchange * std::sqrt(wanted), original[p][k] / most_change,
+                               original[p][k] * most_change);
+            }
+    }
+    return before;
+}
+
+}  // namespace lightwell
