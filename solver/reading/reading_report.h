@@ -31,11 +31,13 @@ struct PolygonCounts {
     int crossing = 0;    ///< polygons whose outline crosses itself, left out
     int pairs = 0;       ///< quads made of two triangles, whether of the file or cut from a polygon
     int cut = 0;         ///< triangles cut into three quads each
-    int elements = 0;    ///< quads of the scene
+    int along_walls = 0;  ///< quads, kept or made, cut along the walls that stand on them
+    int pieces = 0;       ///< quads that those became
+    int elements = 0;     ///< quads of the scene
 };
 
 /// One line for people: "2,575 faces: 2,528 quads, 47 triangles; 40 triangles paired into 20 quads,
-/// 7 cut into 21 quads; 2,569 quads in all".
+/// 7 cut into 21 quads, 2 quads cut along walls into 143; 2,710 quads in all".
 std::string to_string(const PolygonCounts& counts);
 
 /// What reading a scene met with.

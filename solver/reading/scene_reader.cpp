@@ -11,6 +11,7 @@
 #include "solver/reading/mesh_reader.h"
 #include "solver/reading/quads_from_polygons.h"
 #include "solver/reading/scene_tables.h"
+#include "solver/reading/wall_cutting.h"
 
 namespace lightwell {
 
@@ -20,6 +21,7 @@ namespace {
 struct GeometryChoice {
     std::string file;
     double metres_per_unit = 1;
+    bool cut_along_walls = true;
     std::vector<MaterialDescription> materials;
     std::string default_material;
 };
@@ -70,6 +72,7 @@ GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
         file.fail("geometry",
                   "geometry must be an .obj or .ply file, not " + in_quotes(file.text("geometry")));
     if (file.has("unit")) geometry.metres_per_unit = unit_from(file);
+    if (file.has("cut_along_walls")) geometry.cut_along_walls = file.flag("cut_along_walls");
     if (file.has("up")) scene.up = up_from(file);
     geometry.materials = materials_from(file);
     if (file.has("default_material"))
@@ -81,6 +84,21 @@ GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
     return geometry;
 }
 
+/// Cuts the quads along the walls that stand on them, and reports it.
+void cut_quads(QuadsOfPolygons& made, const std::string& file) {
+    const WallCutRule rule;
+    CutAlongWalls cut = cut_along_walls(made.quads, rule);
+    made.quads = std::move(cut.quads);
+    made.counts.along_walls = cut.cut;
+    made.counts.pieces = cut.pieces;
+    made.counts.elements = static_cast<int>(made.quads.size());
+    cut.unfinished.report(file,
+                          fmt::format("walls cut this quad into more than {} pieces: some of them "
+                                      "still lie on both sides of a wall, where light may leak",
+                                      rule.most_pieces),
+                          made.warnings);
+}
+
 void read_geometry(const GeometryChoice& geometry, AlbedoAboveOne above_one, ReadScene& read) {
     const PolygonSoup soup = read_mesh(geometry.file);
     std::vector<Warning>& warnings = read.report.warnings;
@@ -88,6 +106,7 @@ void read_geometry(const GeometryChoice& geometry, AlbedoAboveOne above_one, Rea
     MaterialChoice choice =
         choose_materials(soup, geometry.materials, geometry.default_material, above_one, warnings);
     QuadsOfPolygons made = quads_from_polygons(soup, geometry.metres_per_unit);
+    if (geometry.cut_along_walls) cut_quads(made, geometry.file);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     read.report.counts = made.counts;
     if (made.quads.empty())

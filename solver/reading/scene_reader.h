@@ -23,7 +23,8 @@ struct ReadScene {
 ///     geometry = "office.obj"        # .obj or .ply, relative to this file
 ///     unit = "m"                     # "m", "cm", "mm", "in", "ft", or its length in metres; "m"
 ///     up = "z"                       # "x", "y" or "z"; the coordinates stay as they are
-///     default_material = "plaster"   # for faces without a material or with an unknown one
+///     cut_along_walls = true         # whether quads are cut where walls stand on them; default
+///     true default_material = "plaster"   # for faces without a material or with an unknown one
 ///
 ///     [material.plaster]             # by the name that the geometry uses
 ///     reflectance = 0.7              # in [0,1], one number or [r, g, b]; default 0.5

@@ -113,6 +113,13 @@ std::int64_t TomlTable::whole_number(const std::string& key) const {
     return whole->get();
 }
 
+bool TomlTable::flag(const std::string& key) const {
+    const toml::node& node = node_->required(key, place());
+    const auto* flag = node.as_boolean();
+    if (!flag) wrong_type(node_->file, node, key, "true or false");
+    return flag->get();
+}
+
 Vec3 TomlTable::vector(const std::string& key) const {
     const toml::node& node = node_->required(key, place());
     const auto* list = node.as_array();

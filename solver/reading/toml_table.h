@@ -27,6 +27,7 @@ class TomlTable {
     std::string text(const std::string& key) const;
     double number(const std::string& key) const;
     std::int64_t whole_number(const std::string& key) const;
+    bool flag(const std::string& key) const;
     /// Three numbers.
     Vec3 vector(const std::string& key) const;
     /// Three numbers, or one for grey.

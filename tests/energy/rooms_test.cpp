@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/reading/scene_reader.h"
+#include "solver/reading/wall_cutting.h"
 #include "tests/energy/solved_scene.h"
 #include "tests/shared_reference.h"
 #include "tests/unit/transport/box.h"
@@ -124,6 +125,49 @@ TEST(TwoRooms, NotAPhotonReachesTheSecond) {
     EXPECT_GE(dark, 6);
     // The balance of energy of the first room; half of the light in it is indirect.
     EXPECT_NEAR(flux / area, 5 * M_PI, 5e-3 * 5 * M_PI);
+}
+
+/// A hall of one quad a wall, parted into two closed rooms by a wall at x = 3.3 m of this
+/// thickness [m].
+Scene parted_hall(double thickness) {
+    std::array<Rgb, 6> reflectance;
+    reflectance.fill(Rgb::Constant(0.5));
+    Scene scene = box_scene({8, 4, 3}, reflectance);
+    if (thickness > 0)
+        add_block(scene, {3.3, 0, 0}, {3.3 + thickness, 4, 3}, Rgb::Constant(0.5));
+    else
+        add_quad(scene, {{Vec3(3.3, 0, 0), Vec3(3.3, 4, 0), Vec3(3.3, 4, 3), Vec3(3.3, 0, 3)}},
+                 Rgb::Constant(0.5));
+    return scene;
+}
+
+/// The largest irradiance of a cell in the second room, as a share of the mean in the first.
+double leak_into_second_room(const Scene& scene) {
+    const SolvedScene solved = testing::solved_scene(scene, {lamp_at({1.5, 2, 1.5})}, 0.05);
+    double worst = 0, flux = 0, area = 0;
+    for (std::size_t e = 0; e < solved.transport.space.elements().size(); ++e) {
+        const Element& element = solved.transport.space.element(e);
+        const Vec3 before = element.geometry.centre() + 1e-3 * element.geometry.normal();
+        if (before[0] > 3.3) {
+            worst = std::max(worst, solved.total(e).abs().maxCoeff());
+        } else {
+            flux += element.area() * solved.mean_indirect(e)[0];
+            area += element.area();
+        }
+    }
+    return worst / (flux / area);
+}
+
+// Floor, ceiling and long walls pass through both rooms.
+TEST(PartedHall, IsDarkBehindTheWallOnceItIsCutAlongIt) {
+    for (const double thickness : {0.0, 0.1}) {
+        SCOPED_TRACE(thickness);
+        Scene scene = parted_hall(thickness);
+        scene.quads = cut_along_walls(scene.quads).quads;
+        EXPECT_LT(leak_into_second_room(scene), 1e-6);
+    }
+    // Without the cut, cells lie on both sides of the wall.
+    EXPECT_GT(leak_into_second_room(parted_hall(0)), 1e-3);
 }
 
 /// A room with a block and four colours of grey.

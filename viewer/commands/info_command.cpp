@@ -187,6 +187,8 @@ Json reading_json(const ReadScene& read) {
     json["crossing"] = counts.crossing;
     json["pairs"] = counts.pairs;
     json["cut"] = counts.cut;
+    json["cut_along_walls"] = counts.along_walls;
+    json["pieces"] = counts.pieces;
     Json warnings = Json::array();
     for (const Warning& warning : read.report.warnings)
         warnings.push_back(warning.to_string());

@@ -255,8 +255,8 @@ TEST_F(SceneReader, FindsMaterialFilesWhoseNamesHaveBlanks) {
 
 TEST_F(SceneReader, RefusesUnknownKeysWithTheirPlace) {
     EXPECT_EQ(error_after_geometry("colour = 1\n"),
-              "scene.toml:2:1: unknown key 'colour'; known here: camera, default_material, "
-              "geometry, light, material, name, sensors, unit, up");
+              "scene.toml:2:1: unknown key 'colour'; known here: camera, cut_along_walls, "
+              "default_material, geometry, light, material, name, sensors, unit, up");
     EXPECT_EQ(error_after_geometry("[material.red]\n  gloss = 1\n"),
               "scene.toml:3:3: unknown key 'gloss' in [material.red]; known here: emission, "
               "emission_sides, exponent, reflectance, roughness, sides, specular");
@@ -345,6 +345,31 @@ TEST_F(SceneReader, RefusesDamagedFiles) {
     EXPECT_EQ(input_error_of([&] { read_scene(folder.write("a.off", "OFF\n")); }),
               "a.off: a scene is a scene file (.toml) or a geometry file (.obj, .ply); convert "
               "other formats to one of these");
+}
+
+TEST_F(SceneReader, CutsQuadsAlongWallsUnlessToldNotTo) {
+    // A floor and a wall across it.
+    folder.write("two.obj", square +
+                                "v 80 0 0\nv 80 100 0\nv 80 100 50\nv 80 0 50\n"
+                                "f 1 2 3 4\nf 5 6 7 8\n");
+    for (const std::string& toml :
+         {std::string("geometry = \"two.obj\"\n"),
+          std::string("geometry = \"two.obj\"\ncut_along_walls = true\n")}) {
+        const ReadScene read = this->read(toml);
+        ASSERT_EQ(read.scene.quads.size(), 3u);
+        EXPECT_EQ(read.scene.quads[0].line, 9);
+        EXPECT_EQ(read.scene.quads[1].line, 9);
+        EXPECT_EQ(read.scene.quads[2].line, 10);
+        EXPECT_EQ(read.report.counts.elements, 3);
+        EXPECT_EQ(to_string(read.report.counts),
+                  "2 faces: 2 quads; 1 quad cut along walls into 2; 3 quads in all");
+    }
+    EXPECT_EQ(read_scene(folder.path("two.obj")).scene.quads.size(), 3u);
+    const ReadScene whole = read("geometry = \"two.obj\"\ncut_along_walls = false\n");
+    EXPECT_EQ(whole.scene.quads.size(), 2u);
+    EXPECT_EQ(to_string(whole.report.counts), "2 faces: 2 quads; 2 quads in all");
+    EXPECT_EQ(error_after_geometry("cut_along_walls = 1\n"),
+              "scene.toml:2:19: cut_along_walls must be true or false, not the number 1");
 }
 
 TEST_F(SceneReader, ReadsLightsAndCameraFromOneFileOfTheirOwn) {

@@ -131,7 +131,8 @@ TEST_P(RealScene, HasTheFacesOfItsFile) {
     EXPECT_EQ(counts.degenerate + counts.crossing, 0);
     // What is not kept is paired or cut, and nothing is lost.
     EXPECT_EQ(2 * counts.pairs + counts.cut, counts.triangles + 2 * counts.bent);
-    EXPECT_EQ(counts.elements, counts.quads + counts.pairs + 3 * counts.cut);
+    EXPECT_EQ(counts.elements,
+              counts.quads + counts.pairs + 3 * counts.cut - counts.along_walls + counts.pieces);
     expect_sound(read->scene, GetParam().file);
 }
 
