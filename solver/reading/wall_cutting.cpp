@@ -108,13 +108,12 @@ class QuadCutter {
                 flat(quad.vertex[3])};
     }
 
-    /// The parts of walls that stand inside a piece. Those that stand along its sides have done
-    /// what they can.
+    /// The parts of walls that stand on a piece, longest first.
     std::vector<Wall> walls_inside(const Quad& quad, const std::vector<Wall>& walls) const {
         const Corners corners = corners_of(quad);
         std::vector<Wall> inside;
         for (Wall wall : walls)
-            if (clip(wall, corners) && !along_a_side(wall, corners)) inside.push_back(wall);
+            if (clip(wall, corners)) inside.push_back(wall);
         std::stable_sort(inside.begin(), inside.end(),
                          [](const Wall& a, const Wall& b) { return a.length() > b.length(); });
         return inside;
@@ -131,15 +130,6 @@ class QuadCutter {
             (from < 0 ? wall.from : wall.to) = crossing;
         }
         return wall.length() > tolerance_;
-    }
-
-    bool along_a_side(const Wall& wall, const Corners& corners) const {
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Vec2 &a = corners[i], &b = corners[(i + 1) % 4];
-            if (std::max(left_of(a, b, wall.from), left_of(a, b, wall.to)) < least_side_)
-                return true;
-        }
-        return false;
     }
 
     /// The cut with the largest cover, if it is enough; of equals, the one along the longest wall.
