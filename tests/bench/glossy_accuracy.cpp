@@ -1,0 +1,131 @@
+// How far does radiance by direction follow a lobe, and at what cost?
+//
+//     glossy_accuracy [--cell METRES] [--tolerance T] [--samples N] [EXPONENT ...]
+//
+// prints one CSV row per Phong exponent, for a closed room with a glossy floor and a block on it,
+// lit by one lamp: what the representation needs (angular level, its error, whether that is within
+// the tolerance), what the operator costs (basis functions, directed links, rays, coefficients,
+// seconds), and the relative L2 error of indirect radiance over the floor at three eye points, in
+// blocks of the basis and unsmoothed, against the path tracer, whose noise is taken off.
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "radiance4d/operator/light_projection.h"
+#include "radiance4d/operator/reflection.h"
+#include "runtime/outgoing/brdf_product.h"
+#include "solver/radiance_bounce.h"
+#include "solver/reference/radiance_tracer.h"
+#include "tests/unit/reference/rooms.h"
+
+namespace lightwell {
+namespace {
+
+Scene room_with_floor(const Lobe& lobe) {
+    std::array<Rgb, 6> rho;
+    rho.fill(Rgb::Constant(0.5));
+    rho[x0] = Rgb(0.63, 0.06, 0.05);
+    rho[x1] = Rgb(0.14, 0.45, 0.09);
+    rho[floor_z0] = Rgb::Constant(0.1);
+    Scene scene = box_scene({3, 2, 2.5}, rho);
+    add_block(scene, {0.75, 0.8, 0.0}, {1.5, 1.4, 1.0}, Rgb(0.2, 0.3, 0.7));
+    for (Material& material : scene.materials)
+        material.reflecting = Sides::front;
+    scene.materials[floor_z0].lobe = lobe;
+    return scene;
+}
+
+/// Where eyes look at the floor, and which points of it they see.
+std::vector<RadianceProbe> probes_of(const Visibility& visibility) {
+    std::vector<RadianceProbe> probes;
+    for (const Vec3& eye : {Vec3(0.3, 1.0, 1.6), Vec3(2.7, 0.3, 1.2), Vec3(1.5, 1.8, 2.2)})
+        for (int i = 0; i < 16; ++i)
+            for (int j = 0; j < 12; ++j) {
+                const Vec3 at((i + 0.37) / 16 * 3, (j + 0.41) / 12 * 2, 0);
+                const RadianceProbe probe{eye, (at - eye).normalized()};
+                if (visibility.nearest(eye, free_point, probe.direction).quad == floor_z0)
+                    probes.push_back(probe);
+            }
+    return probes;
+}
+
+/// Relative root mean square error of luminance, with the judge's noise taken off.
+double deviation(const std::vector<double>& seen, const LightSurvey& survey) {
+    double off = 0, squares = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        const double exact = luminance(survey.at[k].mean);
+        off += std::pow(seen[k] - exact, 2) - std::pow(luminance(survey.at[k].standard_error), 2);
+        squares += exact * exact;
+    }
+    return std::sqrt(std::max(0.0, off) / squares);
+}
+
+/// Seconds since a moment, which becomes now.
+double lap(std::chrono::steady_clock::time_point& last) {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last).count();
+    last = now;
+    return seconds;
+}
+
+void print_row(double exponent, const RadianceBounceOptions& options, int samples) {
+    const Scene scene = room_with_floor(PhongLobe{Rgb::Constant(0.7), exponent});
+    const PointLight lamp = lamp_at({2.3, 1.0, 1.8});
+    OracleCost cost;
+    const Ground ground(scene, cost);
+    const AngularNeed need = angular_needs(scene, options.angle).front();
+
+    auto last = std::chrono::steady_clock::now();
+    const RadianceBounce bounce = radiance_bounce(ground, options);
+    const double seconds_bounce = lap(last);
+    const Reflection reflection(scene, bounce.space);
+    const double seconds_reflection = lap(last);
+    const RadianceField bounced =
+        bounced_light(bounce.propagation, reflection,
+                      projected_lights(bounce.space, {lamp}, ground.quads, ground.occluders));
+    const double seconds_solve = lap(last);
+
+    const BrdfProduct product(scene, bounce.space, bounced);
+    const auto floor = static_cast<std::size_t>(bounce.space.element_on(floor_z0, true));
+    const std::vector<RadianceProbe> probes = probes_of(ground.visibility);
+    std::vector<double> seen;
+    for (const RadianceProbe& probe : probes) {
+        const Hit hit = ground.visibility.nearest(probe.position, free_point, probe.direction);
+        const Vec3 at = probe.position + hit.distance * probe.direction;
+        seen.push_back(luminance(product.radiance(
+            floor, bounce.space.element(floor).geometry.parameters(at), -probe.direction)));
+    }
+    PathTracing how;
+    how.samples = samples;
+    const LightSurvey survey =
+        RadianceTracer(scene, ground.visibility, {lamp}).indirect(probes, how);
+    fmt::print("{},{},{:.3f},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f}\n", exponent, need.level,
+               need.error, need.follows ? 1 : 0, bounce.space.functions(), bounce.directed_links,
+               bounce.rays, bounce.propagation.coefficients(), seconds_bounce, seconds_reflection,
+               seconds_solve, deviation(seen, survey));
+    std::cout.flush();
+}
+
+}  // namespace
+}  // namespace lightwell
+
+int main(int argc, char** argv) {
+    using namespace lightwell;
+    CLI::App app{"Accuracy and cost of glossy transport over Phong exponents"};
+    std::vector<double> exponents = {1, 5, 10, 20, 30, 50, 100, 200};
+    RadianceBounceOptions options;
+    int samples = 1024;
+    app.add_option("exponents", exponents);
+    app.add_option("--cell", options.cell_size, "largest side of a finest spatial cell [m]");
+    app.add_option("--tolerance", options.angle.tolerance, "of the angular representation");
+    app.add_option("--samples", samples, "paths a probe");
+    CLI11_PARSE(app, argc, argv);
+    std::cout << "exponent,level,angular_error,follows,functions,directed_links,rays,coefficients,"
+                 "seconds_bounce,seconds_reflection,seconds_solve,error\n";
+    for (const double exponent : exponents)
+        print_row(exponent, options, samples);
+}
