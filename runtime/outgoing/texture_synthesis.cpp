@@ -101,7 +101,8 @@ std::vector<TextureSynthesis::TexturedElement> TextureSynthesis::textured(
             const int column = static_cast<int>(0.5 * (rect.u0 + rect.u1) * size.columns);
             const int row = static_cast<int>(0.5 * (rect.v0 + rect.v1) * size.rows);
             textured.texel.emplace_back(column, row);
-            cell_at[static_cast<std::size_t>(row * size.columns + column)] = m;
+            cell_at[static_cast<std::size_t>(row) * static_cast<std::size_t>(size.columns) +
+                    static_cast<std::size_t>(column)] = m;
             textured.to_lux.push_back(
                 static_cast<float>(M_PI / std::sqrt(element.space.area(cell))));
         }
@@ -118,7 +119,9 @@ std::vector<TextureSynthesis::TexturedElement> TextureSynthesis::textured(
                     for (int x = std::max(0, column - 1);
                          x <= std::min(size.columns - 1, column + 1); ++x) {
                         const std::uint32_t at =
-                            cell_at[static_cast<std::size_t>(y * size.columns + x)];
+                            cell_at[static_cast<std::size_t>(y) *
+                                        static_cast<std::size_t>(size.columns) +
+                                    static_cast<std::size_t>(x)];
                         if (unknown[at] == 0) texel.from.push_back(at);
                     }
                 if (texel.from.empty()) continue;
@@ -135,6 +138,7 @@ std::vector<TextureSynthesis::TexturedElement> TextureSynthesis::textured(
 
 std::vector<TextureSize> TextureSynthesis::sizes(const std::vector<TexturedElement>& elements) {
     std::vector<TextureSize> result;
+    result.reserve(elements.size());
     for (const TexturedElement& element : elements)
         result.push_back(texels_of(element.haar.tree(), element.level));
     return result;

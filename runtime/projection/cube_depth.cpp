@@ -49,6 +49,10 @@ struct Vertex {
     std::array<float, 3> corner, normal, base;
 };
 
+const void* offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
 std::array<float, 3> as_floats(const Vec3& v) {
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
@@ -114,7 +118,7 @@ CubeDepth::CubeDepth(const std::vector<Quad>& quads, const std::vector<Quad>& pa
     for (const unsigned attribute : {0U, 1U, 2U}) {
         gl_.enable_vertex_attrib_array(attribute);
         gl_.vertex_attrib_pointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                                  reinterpret_cast<const void*>(offsets[attribute]));
+                                  offset(offsets[attribute]));
     }
     gl_.bind_vertex_array(0);
     gl_.bind_buffer(GL_ARRAY_BUFFER, 0);
@@ -151,7 +155,7 @@ void CubeDepth::begin(bool counts_hidden, bool is_depth_kept) {
                   static_cast<float>(nearest_part * extent_));
 }
 
-void CubeDepth::end() {
+void CubeDepth::end() const {
     gl_.depth_mask(GL_TRUE);
     gl_.bind_vertex_array(0);
     gl_.use_program(0);
@@ -203,9 +207,8 @@ bool CubeDepth::reaches_face(std::uint32_t part, int face) const {
 void CubeDepth::issue(const std::vector<Query>& queries, std::size_t first_name) {
     for (std::size_t k = 0; k < queries.size(); ++k) {
         gl_.begin_query(GL_SAMPLES_PASSED, names_[first_name + k]);
-        gl_.draw_elements(
-            GL_TRIANGLES, 6, GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(std::size_t{queries[k].first} * sizeof(unsigned)));
+        gl_.draw_elements(GL_TRIANGLES, 6, GL_UNSIGNED_INT,
+                          offset(std::size_t{queries[k].first} * sizeof(unsigned)));
         gl_.end_query(GL_SAMPLES_PASSED);
     }
 }

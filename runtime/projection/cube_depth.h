@@ -52,7 +52,7 @@ class CubeDepth {
     };
 
     void begin(bool counts_hidden, bool is_depth_kept);
-    void end();
+    void end() const;
     /// @param nearness  by how much more than 1 all is drawn nearer than it is
     void select_face(int face, float nearness);
     bool reaches_face(std::uint32_t part, int face) const;

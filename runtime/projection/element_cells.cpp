@@ -32,16 +32,6 @@ ElementCells::Nodes nodes_of(const Quad& cell, const Vec3& origin) {
 
 }  // namespace
 
-FourPoints::FourPoints(const Quad& quad, const Vec3& origin) {
-    for (Eigen::Index k = 0; k < 4; ++k) {
-        const Eigen::Vector3f at =
-            (quad.vertex[static_cast<std::size_t>(k)] - origin).cast<float>();
-        x[k] = at[0];
-        y[k] = at[1];
-        z[k] = at[2];
-    }
-}
-
 ElementCells::ElementCells(const Element& element)
     : haar_(element.space),
       first_(element.first),

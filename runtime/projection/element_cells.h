@@ -5,19 +5,10 @@
 #include <Eigen/Core>
 
 #include "radiance4d/basis/radiance_space.h"
+#include "runtime/projection/four_points.h"
 #include "runtime/propagation/packed_haar.h"
 
 namespace lightwell {
-
-/// Four points relative to some origin [m], laid out to be worked on together.
-struct FourPoints {
-    Eigen::Array4f x, y, z;
-
-    FourPoints() = default;
-    FourPoints(const Quad& quad, const Vec3& origin);
-    /// Points in the order of a quad's vertices.
-    Eigen::Vector3f operator[](int k) const { return {x[k], y[k], z[k]}; }
-};
 
 /// The cells of one diffuse element as light projection needs them: where they lie, and how the
 /// flux on them becomes coefficients. Coordinates are relative to the element's centre, so that

@@ -44,7 +44,7 @@ Eigen::Array4f LightKernel::squared_distance(const FourPoints& points) const {
 Eigen::Array4f LightKernel::at(const FourPoints& points) const {
     const Eigen::Array4f squared = squared_distance(points);
     const Eigen::Array4f distance = squared.sqrt();
-    const Eigen::Array4f kernel = static_cast<float>(height_) / (squared * distance);
+    Eigen::Array4f kernel = static_cast<float>(height_) / (squared * distance);
     if (!is_spot_) return kernel;
     const Eigen::Array4f along = (points.x - position_[0]) * axis_[0] +
                                  (points.y - position_[1]) * axis_[1] +

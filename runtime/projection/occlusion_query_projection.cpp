@@ -45,9 +45,8 @@ void OcclusionQueryProjection::project(const std::vector<Light>& lights, PackedF
     for (const Light& light : lights) {
         find_shares(light);
         Packed intensity = Packed::Zero();
-        std::visit(
-            [&](const auto& any) { intensity.head<3>() = any.intensity.template cast<float>(); },
-            light);
+        intensity.head<3>() =
+            std::visit([](const auto& any) { return any.intensity; }, light).cast<float>();
         tbb::parallel_for(std::size_t{0}, cells_.size(), [&](std::size_t e) {
             const LightKernel kernel(light, cells_[e]);
             for (std::uint32_t m = 0; m < share_[e].size(); ++m)
@@ -95,7 +94,7 @@ void OcclusionQueryProjection::look_at(const std::vector<Pending>& level,
         } else {
             const std::uint32_t count = tree.functions() / tree.cells(cell.level);
             const auto first =
-                share_[element].begin() + static_cast<std::ptrdiff_t>(cell.index * count);
+                share_[element].begin() + static_cast<std::ptrdiff_t>(cell.index) * count;
             std::fill(first, first + count, share);
         }
     }

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "radiance4d/scene/shadow.h"
-#include "runtime/projection/element_cells.h"
+#include "runtime/projection/four_points.h"
 
 namespace lightwell {
 
@@ -55,6 +55,39 @@ class ShadowPlanes {
     };
     std::array<Side, most_planes> side_;
     int count_ = 0;
+};
+
+/// The edges of shadows that run through one part of a cell.
+class ShadowEdges {
+  public:
+    /// The planes of one more shadow that run between the corners.
+    void add(const Straddle* planes, int count) {
+        if (count > 1) {
+            is_complex_ = true;
+            return;
+        }
+        for (std::size_t k = 0; k < known_; ++k) {
+            // A silhouette is an edge of the face before it and of the one behind it alike.
+            if (planes[0].is_same_line(edge_[k])) return;
+            // Two shadows that meet along an edge of both leave nothing between them.
+            if (planes[0].is_opposite(edge_[k])) is_closed_ = true;
+        }
+        if (known_ == edge_.size())
+            is_complex_ = true;
+        else
+            edge_[known_++] = planes[0];
+    }
+
+    bool are_none() const { return known_ == 0 && !is_complex_; }
+    bool is_one() const { return known_ == 1 && !is_complex_; }
+    /// Whether two of the shadows cover all.
+    bool is_closed() const { return is_closed_; }
+    const Straddle& first() const { return edge_[0]; }
+
+  private:
+    std::array<Straddle, 4> edge_;
+    std::size_t known_ = 0;
+    bool is_complex_ = false, is_closed_ = false;
 };
 
 }  // namespace lightwell

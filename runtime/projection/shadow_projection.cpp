@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/scene/visibility.h"
@@ -33,110 +32,6 @@ int cuts_for(double error) {
     while (cuts < most_cuts && 0.15 * std::exp2(-cuts) > error)
         ++cuts;
     return cuts;
-}
-
-/// The corner points of a quarter: its own corner, the middles of the sides and the centre.
-FourPoints quarter(const FourPoints& whole, int number) {
-    const auto mixed = [number](const Eigen::Array4f& c) {
-        Eigen::Array4f result;
-        for (int k = 0; k < 4; ++k)
-            result[k] = 0.5F * (c[number] + c[k]);
-        // The corner opposite to `number` is the bilinear centre.
-        result[(number + 2) % 4] = 0.25F * c.sum();
-        return result;
-    };
-    FourPoints part;
-    part.x = mixed(whole.x);
-    part.y = mixed(whole.y);
-    part.z = mixed(whole.z);
-    return part;
-}
-
-/// The centres of the four quarters.
-FourPoints quarter_centres(const FourPoints& whole) {
-    const auto centred = [](const Eigen::Array4f& c) -> Eigen::Array4f {
-        return 0.5F * c + 0.125F * c.sum();
-    };
-    FourPoints centres;
-    centres.x = centred(whole.x);
-    centres.y = centred(whole.y);
-    centres.z = centred(whole.z);
-    return centres;
-}
-
-float area(const FourPoints& corners) {
-    const Eigen::Vector3f first = corners[2] - corners[0], second = corners[3] - corners[1];
-    return 0.5F * first.cross(second).norm();
-}
-
-float squared_size(const FourPoints& corners) {
-    return std::max((corners[2] - corners[0]).squaredNorm(),
-                    (corners[3] - corners[1]).squaredNorm());
-}
-
-/// The part of a quad on the outer side of a plane: its share of the area, and its centroid.
-struct OuterPart {
-    float share;
-    Eigen::Vector3f centroid;
-};
-
-OuterPart outer_part(const FourPoints& corners, const Straddle& straddle) {
-    // Triangles from the first vertex of the part; the outline holds at most five.
-    std::array<Eigen::Vector3f, 6> outline;
-    std::size_t count = 0;
-    for (int k = 0; k < 4; ++k) {
-        const int next = (k + 1) % 4;
-        const float here = straddle.height[k], there = straddle.height[next];
-        if (here < 0) outline[count++] = corners[k];
-        if ((here < 0) != (there < 0))
-            outline[count++] = corners[k] + here / (here - there) * (corners[next] - corners[k]);
-    }
-    float sum = 0;
-    Eigen::Vector3f moment = Eigen::Vector3f::Zero();
-    for (std::size_t k = 2; k < count; ++k) {
-        const float part = (outline[k - 1] - outline[0]).cross(outline[k] - outline[0]).norm();
-        sum += part;
-        moment += part * (outline[0] + outline[k - 1] + outline[k]);
-    }
-    if (!(sum > 0)) return {0, outline[0]};
-    return {0.5F * sum / area(corners), moment / (3 * sum)};
-}
-
-/// The edges of shadows that run through one part of a cell.
-class EdgesHere {
-  public:
-    /// The planes of one more shadow that run between the corners.
-    void add(const Straddle* planes, int count) {
-        if (count > 1) {
-            is_complex_ = true;
-            return;
-        }
-        for (std::size_t k = 0; k < known_; ++k) {
-            // A silhouette is an edge of the face before it and of the one behind it alike.
-            if (planes[0].is_same_line(edge_[k])) return;
-            // Two shadows that meet along an edge of both leave nothing between them.
-            if (planes[0].is_opposite(edge_[k])) is_closed_ = true;
-        }
-        if (known_ == edge_.size())
-            is_complex_ = true;
-        else
-            edge_[known_++] = planes[0];
-    }
-
-    bool are_none() const { return known_ == 0 && !is_complex_; }
-    bool is_one() const { return known_ == 1 && !is_complex_; }
-    /// Whether two of the shadows cover all.
-    bool is_closed() const { return is_closed_; }
-    const Straddle& first() const { return edge_[0]; }
-
-  private:
-    std::array<Straddle, 4> edge_;
-    std::size_t known_ = 0;
-    bool is_complex_ = false, is_closed_ = false;
-};
-
-Eigen::Vector3f centroid(const FourPoints& corners) {
-    return {0.25F * corners.x.sum(), 0.25F * corners.y.sum(), 0.25F * corners.z.sum()};
 }
 
 }  // namespace
@@ -269,7 +164,7 @@ class ShadowProjection::ElementVisit {
     /// four for the sake of edges and `more` for the sake of nearness.
     Share visible_share(const FourPoints& corners, const std::uint32_t* begin,
                         const std::uint32_t* end, int cuts, int more) {
-        EdgesHere edges;
+        ShadowEdges edges;
         for (const std::uint32_t* k = begin; k != end; ++k) {
             std::array<Straddle, ShadowPlanes::most_planes> found;
             Cover cover = Cover::none;
@@ -299,14 +194,15 @@ class ShadowProjection::ElementVisit {
     }
 
     Share cut(const FourPoints& corners, const Straddle& straddle) const {
-        const OuterPart outer = outer_part(corners, straddle);
+        const OuterPart outer = outer_part(corners, straddle.height);
+        const float all = whole(corners);
+        if (!(outer.share > 0)) return {0, all};
         const Eigen::Vector3f middle = centroid(corners);
         FourPoints points;
         points.x << outer.centroid[0], middle[0], middle[0], middle[0];
         points.y << outer.centroid[1], middle[1], middle[1], middle[1];
         points.z << outer.centroid[2], middle[2], middle[2], middle[2];
         const Eigen::Array4f light = kernel_.at(points);
-        const float all = whole(corners);
         if (!(light[1] > 0)) return {all * outer.share, all};
         return {std::min(all, all * outer.share * light[0] / light[1]), all};
     }
@@ -389,9 +285,8 @@ void ShadowProjection::project(const std::vector<Light>& lights, PackedField& di
                     const Shadow& shadow = shadows_[l][static_cast<std::size_t>(found)];
                     if (!shadow.empty()) scratch.planes.emplace_back(shadow, cells.centre());
                 }
-                const auto* spot = std::get_if<SpotLight>(&lights[l]);
-                const Rgb& intensity =
-                    spot != nullptr ? spot->intensity : std::get<PointLight>(lights[l]).intensity;
+                const Rgb intensity =
+                    std::visit([](const auto& any) { return any.intensity; }, lights[l]);
                 ElementVisit(cells, kernel, intensity, scratch).run(options_.edge_error);
             }
             cells.analyse(scratch.flux, direct);

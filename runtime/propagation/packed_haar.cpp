@@ -16,14 +16,16 @@ void PackedHaar::analyse(PackedField& scaling, PackedField& field, std::uint32_t
             const Frame& w = frame[m];
             const std::uint32_t wavelet = first + tree_.wavelet({level, m}, 1);
             if (tree_.children(level) == 4) {
-                const Packed a = scaling.col(4 * m), b = scaling.col(4 * m + 1);
-                const Packed c = scaling.col(4 * m + 2), d = scaling.col(4 * m + 3);
+                const Eigen::Index child = Eigen::Index{4} * m;
+                const Packed a = scaling.col(child), b = scaling.col(child + 1);
+                const Packed c = scaling.col(child + 2), d = scaling.col(child + 3);
                 for (std::uint32_t k = 1; k < 4; ++k)
                     field.col(wavelet + k - 1) =
                         w(k, 0) * a + w(k, 1) * b + w(k, 2) * c + w(k, 3) * d;
                 scaling.col(m) = w(0, 0) * a + w(0, 1) * b + w(0, 2) * c + w(0, 3) * d;
             } else {
-                const Packed a = scaling.col(2 * m), b = scaling.col(2 * m + 1);
+                const Eigen::Index child = Eigen::Index{2} * m;
+                const Packed a = scaling.col(child), b = scaling.col(child + 1);
                 field.col(wavelet) = w(1, 0) * a + w(1, 1) * b;
                 scaling.col(m) = w(0, 0) * a + w(0, 1) * b;
             }
@@ -45,10 +47,11 @@ void PackedHaar::synthesise(const PackedField& field, std::uint32_t first, int l
             if (tree_.children(coarse) == 4) {
                 const Packed c = field.col(wavelet + 1), d = field.col(wavelet + 2);
                 for (std::uint32_t k = 0; k < 4; ++k)
-                    scaling.col(4 * m + k) = w(0, k) * a + w(1, k) * b + w(2, k) * c + w(3, k) * d;
+                    scaling.col(Eigen::Index{4} * m + k) =
+                        w(0, k) * a + w(1, k) * b + w(2, k) * c + w(3, k) * d;
             } else {
                 for (std::uint32_t k = 0; k < 2; ++k)
-                    scaling.col(2 * m + k) = w(0, k) * a + w(1, k) * b;
+                    scaling.col(Eigen::Index{2} * m + k) = w(0, k) * a + w(1, k) * b;
             }
         }
     }
