@@ -80,7 +80,7 @@ TEST_P(GlossyRoom, LooksAsThePathTracerSays) {
 
 INSTANTIATE_TEST_SUITE_P(Lobes, GlossyRoom,
                          ::testing::Values(Lobe(PhongLobe{Rgb::Constant(0.7), 5}),
-                                           Lobe(PhongLobe{Rgb::Constant(0.7), 20}),
+                                           Lobe(PhongLobe{Rgb::Constant(0.7), 10}),
                                            Lobe(GgxLobe{Rgb::Constant(0.7), 0.3})));
 
 }  // namespace
