@@ -209,7 +209,7 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
                        of_means(transport.space, albedo), progress);
     const TrialLights tried = projected_trials(transport.space, ground, progress);
     clock.lap("ensemble");
-    const TruncationTarget target{0.5 * settings.truncation, settings.truncation};
+    const TruncationTarget target{0.4 * settings.truncation, settings.truncation};
     transport.bounce = truncated_bounce(
         BounceTruncation(transport.space, closed, std::move(coefficients), ensemble.total), tried,
         albedo, target, progress);
