@@ -1,6 +1,7 @@
 #include "radiance4d/operator/light_projection.h"
 
 #include <cmath>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -24,29 +25,57 @@ class ElementProjection {
           position_(position_of(light)),
           irradiance_(irradiance) {}
 
-    /// Adds the light on all finest cells below `cell`; `occluders` may stand before it.
-    void visit(const Cell& cell, const std::vector<int>& occluders) {
+    /// Adds the light on all finest cells; `occluders` may stand before them.
+    void run(const std::vector<int>& occluders) {
+        std::vector<Occluder> all;
+        all.reserve(occluders.size());
+        for (const int quad : occluders) {
+            const Quad& occluder = quads_[static_cast<std::size_t>(quad)];
+            all.push_back({&occluder, Shadow(position_, occluder)});
+        }
+        std::vector<const Occluder*> before;
+        before.reserve(all.size());
+        for (const Occluder& occluder : all)
+            if (!occluder.shadow.empty()) before.push_back(&occluder);
+        visit({}, before);
+    }
+
+  private:
+    struct Occluder {
+        const Quad* quad;
+        Shadow shadow;
+    };
+
+    void visit(const Cell& cell, const std::vector<const Occluder*>& occluders) {
         const CellTree& tree = element_.space.tree();
         const ConvexPolygon polygon(element_.cell(cell));
-        std::vector<int> narrowed;
+        // In a building a single wall hides most of what lies behind it.
+        for (const Occluder* occluder : occluders)
+            if (hides_all(occluder->shadow, polygon)) return;
+        std::vector<const Occluder*> narrowed;
         if (!occluders.empty()) {
             const ConvexRegion region = region_between(position_, polygon);
-            for (const int quad : occluders)
-                if (!region.misses(quads_[static_cast<std::size_t>(quad)]))
-                    narrowed.push_back(quad);
+            for (const Occluder* occluder : occluders)
+                if (!region.misses(*occluder->quad)) narrowed.push_back(occluder);
         }
         if (tree.is_finest(cell)) {
-            const Rgb through =
-                narrowed.empty() ? flux(light_, polygon)
-                                 : flux(light_, visible_part(position_, polygon, quads_, narrowed));
-            irradiance_.row(cell.index) += (through / element_.space.area(cell)).transpose();
+            irradiance_.row(cell.index) +=
+                (flux_past(narrowed, polygon) / element_.space.area(cell)).transpose();
             return;
         }
         for (std::uint32_t c = 0; c < tree.children(cell.level); ++c)
             visit(tree.child(cell, c), narrowed);
     }
 
-  private:
+    Rgb flux_past(const std::vector<const Occluder*>& occluders, const ConvexPolygon& polygon) {
+        if (occluders.empty()) return flux(light_, polygon);
+        std::vector<Shadow> shadows;
+        shadows.reserve(occluders.size());
+        for (const Occluder* occluder : occluders)
+            shadows.push_back(occluder->shadow);
+        return flux(light_, visible_part(position_, polygon, std::move(shadows)));
+    }
+
     const Element& element_;
     const Light& light_;
     const std::vector<Quad>& quads_;
@@ -71,7 +100,7 @@ RadianceField projected_lights(const RadianceSpace& space, const std::vector<Lig
             lit = true;
             occluders.collect(region_between(position_of(light), ConvexPolygon(element.geometry)),
                               element.quad, free_point, found);
-            ElementProjection(element, light, quads, irradiance).visit({}, found);
+            ElementProjection(element, light, quads, irradiance).run(found);
             if (!directed) continue;
             add_directed_light(element, position_of(light), irradiance, field);
             irradiance.setZero();

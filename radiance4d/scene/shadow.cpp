@@ -24,6 +24,13 @@ double highest(const ConvexPolygon& piece, const Plane& plane) {
     return height;
 }
 
+double lowest(const ConvexPolygon& piece, const Plane& plane) {
+    double height = std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : piece)
+        height = std::min(height, plane.height(vertex));
+    return height;
+}
+
 }  // namespace
 
 Shadow::Shadow(const Vec3& x, const Quad& occluder) : apex_(x) {
@@ -60,6 +67,12 @@ bool Shadow::misses(const ConvexPolygon& piece, double sliver, double contact) c
     if (highest(piece, behind_) <= contact) return true;
     return std::any_of(edges_.begin(), edges_.begin() + edge_count_,
                        [&](const Plane& edge) { return highest(piece, edge) <= sliver; });
+}
+
+bool Shadow::covers(const ConvexPolygon& piece, double contact) const {
+    return !empty() && lowest(piece, behind_) > contact &&
+           std::all_of(edges_.begin(), edges_.begin() + edge_count_,
+                       [&](const Plane& edge) { return lowest(piece, edge) >= 0; });
 }
 
 void Shadow::subtract_from(std::vector<ConvexPolygon>& pieces, double sliver,

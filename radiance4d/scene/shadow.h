@@ -30,6 +30,10 @@ class Shadow {
     /// `contact` [m] behind the quad's plane count as lying in it, and keep their light.
     void subtract_from(std::vector<ConvexPolygon>& pieces, double sliver, double contact) const;
 
+    /// Whether all of a convex piece, given relative to x, lies in the shadow and farther than
+    /// `contact` [m] behind the quad's plane: then subtract_from would leave nothing of it.
+    bool covers(const ConvexPolygon& piece, double contact) const;
+
   private:
     bool misses(const ConvexPolygon& piece, double sliver, double contact) const;
 

@@ -51,6 +51,10 @@ std::vector<ConvexPolygon> visible_part(const Vec3& x, const ConvexPolygon& targ
     return pieces;
 }
 
+bool hides_all(const Shadow& shadow, const ConvexPolygon& target) {
+    return shadow.covers(target.moved(-shadow.apex()), flush * target.extent());
+}
+
 bool may_occlude(const Vec3& x, const ConvexPolygon& target, const Quad& quad) {
     return !region_between(x, target).misses(quad);
 }

@@ -22,6 +22,10 @@ std::vector<ConvexPolygon> visible_part(const Vec3& x, const ConvexPolygon& targ
 std::vector<ConvexPolygon> visible_part(const Vec3& x, const ConvexPolygon& target,
                                         std::vector<Shadow> shadows);
 
+/// Whether one shadow leaves nothing of the target: what visible_part would say, sooner. False may
+/// be wrong only by rounding.
+bool hides_all(const Shadow& shadow, const ConvexPolygon& target);
+
 /// Whether a quad reaches into the pyramid from x to the target. Conservative: false means that it
 /// hides nothing of the target. For many quads make the region once (region_between).
 bool may_occlude(const Vec3& x, const ConvexPolygon& target, const Quad& quad);

@@ -182,6 +182,27 @@ TEST(VisiblePart, CullingLeavesOutWhatIsBehindOrBeside) {
     EXPECT_FALSE(may_occlude(x, target, small_at(-1, -1, -1)));     // at the back of x
 }
 
+TEST(VisiblePart, OneShadowHidesAllExactlyWhereNothingIsLeft) {
+    std::mt19937 random(19);
+    int hidden = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const Vec3 x = random_point(random);
+        const ConvexPolygon target(random_parallelogram(random, 0.2));
+        const Quad quad = random_parallelogram(random, 0.8);
+        const bool hides = hides_all(Shadow(x, quad), target);
+        ASSERT_EQ(hides, visible_part(x, target, {quad}, {0}).empty()) << k;
+        hidden += hides ? 1 : 0;
+    }
+    EXPECT_GT(hidden, 500);
+}
+
+TEST(VisiblePart, WhatLiesInTheBlockersPlaneIsNotHidden) {
+    const Quad ceiling = level_rectangle(-2, 2, -2, 2, 3).reversed();
+    const Shadow shadow(Vec3(0.1, 0.2, 1), ceiling);
+    EXPECT_FALSE(hides_all(shadow, ConvexPolygon(level_rectangle(-1, 1, -1, 1, 3).reversed())));
+    EXPECT_TRUE(hides_all(shadow, ConvexPolygon(level_rectangle(-1, 1, -1, 1, 3.001).reversed())));
+}
+
 TEST(VisiblePart, CullingIsConservativeAndUseful) {
     std::mt19937 random(17);
     int kept = 0, hiding = 0;
