@@ -45,6 +45,12 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
     top_ = right_.cross(forward_);
 }
 
+Eigen::Matrix3d CameraRays::frame() const {
+    Eigen::Matrix3d rows;
+    rows << right_.transpose(), top_.transpose(), forward_.transpose();
+    return rows;
+}
+
 Vec3 CameraRays::direction(double x, double y) const {
     return (forward_ + (x - 0.5 * width_) / focal_length_ * right_ -
             (y - 0.5 * height_) / focal_length_ * top_)

@@ -25,6 +25,9 @@ class CameraRays {
     /// f above [pixels].
     double focal_length() const { return focal_length_; }
 
+    /// The rows are the unit vectors right, top and forward.
+    Eigen::Matrix3d frame() const;
+
     /// Unit direction of the ray through (x,y).
     Vec3 direction(double x, double y) const;
     /// A point's coordinates along right, top and forward, from the camera [m].

@@ -38,7 +38,9 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLDELETEPROGRAMPROC>(delete_program, loader, "glDeleteProgram");
     load<PFNGLUSEPROGRAMPROC>(use_program, loader, "glUseProgram");
     load<PFNGLGETUNIFORMLOCATIONPROC>(get_uniform_location, loader, "glGetUniformLocation");
+    load<PFNGLUNIFORM1IPROC>(uniform1i, loader, "glUniform1i");
     load<PFNGLUNIFORM1FPROC>(uniform1f, loader, "glUniform1f");
+    load<PFNGLUNIFORM2FPROC>(uniform2f, loader, "glUniform2f");
     load<PFNGLUNIFORM3FPROC>(uniform3f, loader, "glUniform3f");
     load<PFNGLUNIFORM4FPROC>(uniform4f, loader, "glUniform4f");
     load<PFNGLUNIFORMMATRIX3FVPROC>(uniform_matrix3fv, loader, "glUniformMatrix3fv");
@@ -53,6 +55,15 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
                                            "glEnableVertexAttribArray");
     load<PFNGLVERTEXATTRIBPOINTERPROC>(vertex_attrib_pointer, loader, "glVertexAttribPointer");
     load<PFNGLVERTEXATTRIBIPOINTERPROC>(vertex_attrib_i_pointer, loader, "glVertexAttribIPointer");
+    load<PFNGLGENTEXTURESPROC>(gen_textures, loader, "glGenTextures");
+    load<PFNGLACTIVETEXTUREPROC>(active_texture, loader, "glActiveTexture");
+    load<PFNGLBINDTEXTUREPROC>(bind_texture, loader, "glBindTexture");
+    load<PFNGLTEXPARAMETERIPROC>(tex_parameteri, loader, "glTexParameteri");
+    load<PFNGLTEXIMAGE2DPROC>(tex_image_2d, loader, "glTexImage2D");
+    load<PFNGLTEXSUBIMAGE2DPROC>(tex_sub_image_2d, loader, "glTexSubImage2D");
+    load<PFNGLTEXIMAGE3DPROC>(tex_image_3d, loader, "glTexImage3D");
+    load<PFNGLTEXBUFFERPROC>(tex_buffer, loader, "glTexBuffer");
+    load<PFNGLDELETETEXTURESPROC>(delete_textures, loader, "glDeleteTextures");
     load<PFNGLGENRENDERBUFFERSPROC>(gen_renderbuffers, loader, "glGenRenderbuffers");
     load<PFNGLBINDRENDERBUFFERPROC>(bind_renderbuffer, loader, "glBindRenderbuffer");
     load<PFNGLRENDERBUFFERSTORAGEPROC>(renderbuffer_storage, loader, "glRenderbufferStorage");
@@ -61,6 +72,9 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLBINDFRAMEBUFFERPROC>(bind_framebuffer, loader, "glBindFramebuffer");
     load<PFNGLFRAMEBUFFERRENDERBUFFERPROC>(framebuffer_renderbuffer, loader,
                                            "glFramebufferRenderbuffer");
+    load<PFNGLFRAMEBUFFERTEXTUREPROC>(framebuffer_texture, loader, "glFramebufferTexture");
+    load<PFNGLFRAMEBUFFERTEXTURELAYERPROC>(framebuffer_texture_layer, loader,
+                                           "glFramebufferTextureLayer");
     load<PFNGLCHECKFRAMEBUFFERSTATUSPROC>(check_framebuffer_status, loader,
                                           "glCheckFramebufferStatus");
     load<PFNGLDELETEFRAMEBUFFERSPROC>(delete_framebuffers, loader, "glDeleteFramebuffers");
@@ -80,6 +94,7 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLVIEWPORTPROC>(viewport, loader, "glViewport");
     load<PFNGLCLEARBUFFERIVPROC>(clear_bufferiv, loader, "glClearBufferiv");
     load<PFNGLCLEARBUFFERFVPROC>(clear_bufferfv, loader, "glClearBufferfv");
+    load<PFNGLDRAWARRAYSPROC>(draw_arrays, loader, "glDrawArrays");
     load<PFNGLDRAWELEMENTSPROC>(draw_elements, loader, "glDrawElements");
     load<PFNGLPIXELSTOREIPROC>(pixel_storei, loader, "glPixelStorei");
     load<PFNGLREADPIXELSPROC>(read_pixels, loader, "glReadPixels");

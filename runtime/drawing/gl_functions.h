@@ -36,7 +36,9 @@ struct GlFunctions {
     void (*delete_program)(unsigned) = nullptr;
     void (*use_program)(unsigned) = nullptr;
     int (*get_uniform_location)(unsigned, const char*) = nullptr;
+    void (*uniform1i)(int, int) = nullptr;
     void (*uniform1f)(int, float) = nullptr;
+    void (*uniform2f)(int, float, float) = nullptr;
     void (*uniform3f)(int, float, float, float) = nullptr;
     void (*uniform4f)(int, float, float, float, float) = nullptr;
     void (*uniform_matrix3fv)(int, int, unsigned char, const float*) = nullptr;
@@ -53,6 +55,19 @@ struct GlFunctions {
                                   const void*) = nullptr;
     void (*vertex_attrib_i_pointer)(unsigned, int, unsigned, int, const void*) = nullptr;
 
+    void (*gen_textures)(int, unsigned*) = nullptr;
+    void (*active_texture)(unsigned) = nullptr;
+    void (*bind_texture)(unsigned, unsigned) = nullptr;
+    void (*tex_parameteri)(unsigned, unsigned, int) = nullptr;
+    void (*tex_image_2d)(unsigned, int, int, int, int, int, unsigned, unsigned,
+                         const void*) = nullptr;
+    void (*tex_sub_image_2d)(unsigned, int, int, int, int, int, unsigned, unsigned,
+                             const void*) = nullptr;
+    void (*tex_image_3d)(unsigned, int, int, int, int, int, int, unsigned, unsigned,
+                         const void*) = nullptr;
+    void (*tex_buffer)(unsigned, unsigned, unsigned) = nullptr;
+    void (*delete_textures)(int, const unsigned*) = nullptr;
+
     void (*gen_renderbuffers)(int, unsigned*) = nullptr;
     void (*bind_renderbuffer)(unsigned, unsigned) = nullptr;
     void (*renderbuffer_storage)(unsigned, unsigned, int, int) = nullptr;
@@ -60,6 +75,8 @@ struct GlFunctions {
     void (*gen_framebuffers)(int, unsigned*) = nullptr;
     void (*bind_framebuffer)(unsigned, unsigned) = nullptr;
     void (*framebuffer_renderbuffer)(unsigned, unsigned, unsigned, unsigned) = nullptr;
+    void (*framebuffer_texture)(unsigned, unsigned, unsigned, int) = nullptr;
+    void (*framebuffer_texture_layer)(unsigned, unsigned, unsigned, int, int) = nullptr;
     unsigned (*check_framebuffer_status)(unsigned) = nullptr;
     void (*delete_framebuffers)(int, const unsigned*) = nullptr;
 
@@ -80,6 +97,7 @@ struct GlFunctions {
     void (*viewport)(int, int, int, int) = nullptr;
     void (*clear_bufferiv)(unsigned, int, const int*) = nullptr;
     void (*clear_bufferfv)(unsigned, int, const float*) = nullptr;
+    void (*draw_arrays)(unsigned, int, int) = nullptr;
     void (*draw_elements)(unsigned, int, unsigned, const void*) = nullptr;
     void (*pixel_storei)(unsigned, int) = nullptr;
     void (*read_pixels)(int, int, int, int, unsigned, unsigned, void*) = nullptr;

@@ -87,6 +87,10 @@ GlObject make_framebuffer(const GlFunctions& gl) {
     return make_object(gl.gen_framebuffers, gl.delete_framebuffers);
 }
 
+GlObject make_texture(const GlFunctions& gl) {
+    return make_object(gl.gen_textures, gl.delete_textures);
+}
+
 GlObject make_renderbuffer(const GlFunctions& gl, unsigned format, int width, int height) {
     GlObject buffer = make_object(gl.gen_renderbuffers, gl.delete_renderbuffers);
     gl.bind_renderbuffer(GL_RENDERBUFFER, buffer.name());

@@ -28,6 +28,7 @@ GlObject make_program(const GlFunctions& gl, const char* vertex_shader,
 GlObject make_buffer(const GlFunctions& gl);
 GlObject make_vertex_array(const GlFunctions& gl);
 GlObject make_framebuffer(const GlFunctions& gl);
+GlObject make_texture(const GlFunctions& gl);
 /// Storage of `format`, an OpenGL sized internal format, and the size given [pixels].
 GlObject make_renderbuffer(const GlFunctions& gl, unsigned format, int width, int height);
 

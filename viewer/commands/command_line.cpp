@@ -180,6 +180,9 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
             "show indirect light as a moving lamp does, from one texture per quad: fastest, with "
             "the whole error of the stored operator")
         ->excludes(no_gather);
+    command->add_flag("--live", request.live,
+                      "draw as the window does, within a fraction of a second: shadow maps, and "
+                      "indirect light as --textures");
     add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
               [&request](const std::string& text) {
                   request.samples = whole_argument("--samples", text, 1, 16);

@@ -11,6 +11,7 @@
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/direct_light.h"
+#include "runtime/drawing/frame_renderer.h"
 #include "runtime/frame.h"
 #include "runtime/outgoing/gathered_surfaces.h"
 #include "runtime/projection/shadow_projection.h"
@@ -147,6 +148,40 @@ void write_picture(const Image& light, const RenderRequest& request) {
                                   request.output, report.non_finite_pixels));
 }
 
+Picture picture_of(View view) {
+    switch (view) {
+        case View::direct:
+            return Picture::direct;
+        case View::indirect:
+            return Picture::indirect;
+        case View::lux:
+            return Picture::lux;
+        case View::level:
+            return Picture::level;
+        default:
+            return Picture::total;
+    }
+}
+
+Image drawn_live(const OpenedOperator& opened, const std::vector<Light>& lights,
+                 const Camera& camera, const RenderRequest& request, const GlContext& context) {
+    Frame frame(opened.transport, std::make_unique<ShadowProjection>(
+                                      opened.transport.space, opened.quads, opened.occluders));
+    frame.light(lights);
+    FrameRenderer renderer(opened.transport, context.loader());
+    renderer.set_lights(lights);
+    renderer.upload(frame.textures());
+    FrameView view;
+    view.picture = picture_of(request.view);
+    view.samples = request.samples;
+    const LinearPicture picture =
+        renderer.linear(camera, view, request.size.width, request.size.height);
+    Image image(picture.width, picture.height);
+    for (std::size_t p = 0; p < image.pixels().size(); ++p)
+        image.pixels()[p] = Eigen::Map<const Image::Pixel>(picture.rgb.data() + 3 * p);
+    return image;
+}
+
 }  // namespace
 
 View view_argument(const std::string& option, const std::string& text) {
@@ -168,6 +203,10 @@ void run_render(const RenderRequest& request) {
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
     const Camera camera = chosen_camera(request, opened);
     const std::unique_ptr<GlContext> context = make_offscreen_context();
+    if (request.live) {
+        write_picture(drawn_live(opened, lights, camera, request, *context), request);
+        return;
+    }
     const SurfaceDrawing drawing(opened.quads, context->loader());
     PictureSize size;
     size.width = request.size.width;

@@ -38,6 +38,7 @@ struct RenderRequest {
     int samples = 2;      ///< a side in every pixel
     View view = View::total;
     IndirectLight indirect = IndirectLight::gathered;
+    bool live = false;  ///< drawn as a window draws it, see FrameRenderer
 };
 
 /// Renders a picture into a file, without a display. A PNG is exposed and toned for a screen; an

@@ -1,0 +1,509 @@
+#include "runtime/drawing/frame_shaders.h"
+
+namespace lightwell {
+
+namespace {
+
+constexpr const char* surface_access = R"(#version 330 core
+uniform samplerBuffer surfaces;  // SurfaceRecords
+uniform int first_element;
+const int per_quad = 9, per_element = 2;
+// Nearer to a quad's plane than this a point lies in it; lengths are parts of the scene's diagonal.
+const float contact = 3e-6;
+
+vec3 vertex_of(int quad, int k) {
+    return texelFetch(surfaces, per_quad * quad + (k & 3)).xyz;
+}
+vec3 normal_of(int quad) {
+    return texelFetch(surfaces, per_quad * quad + 4).xyz;
+}
+int element_on(int quad, bool front) {
+    return int(texelFetch(surfaces, per_quad * quad + (front ? 0 : 1)).w);
+}
+vec3 reflectance_of(int quad, bool front) {  // over pi
+    return texelFetch(surfaces, per_quad * quad + (front ? 5 : 7)).rgb;
+}
+vec3 emission_of(int quad, bool front) {
+    return texelFetch(surfaces, per_quad * quad + (front ? 6 : 8)).rgb;
+}
+vec4 place_of(int element) {
+    return texelFetch(surfaces, first_element + per_element * element);
+}
+vec4 cells_of(int element) {
+    return texelFetch(surfaces, first_element + per_element * element + 1);
+}
+)";
+
+// What every pixel sees. Along edges the drawing is right to a fraction of a pixel only, and may
+// leave cracks where a quad's vertex lies on another's edge; so where the pixels round about show
+// other quads too, the ray is met with all of these and the nearest is taken.
+constexpr const char* seen_surface = R"(
+uniform isampler2D seen;
+uniform vec3 eye;
+uniform mat3 frame;
+uniform vec4 pixel;  // scale and shift from window coordinates to the ray's X, then Y
+uniform float pixel_angle;
+
+float distance_along(vec3 ray, int quad) {
+    vec3 normal = normal_of(quad);
+    return dot(normal, vertex_of(quad, 0) - eye) / dot(normal, ray);
+}
+bool is_met(vec3 ray, int quad) {
+    float t = distance_along(ray, quad);
+    if (!(t > 0.0)) return false;
+    vec3 normal = normal_of(quad), at = eye + t * ray;
+    vec3 last = vertex_of(quad, 3);
+    for (int k = 0; k < 4; ++k) {
+        vec3 next = vertex_of(quad, k);
+        if (dot(cross(next - last, at - last), normal) < -1e-7 * length(next - last)) return false;
+        last = next;
+    }
+    return true;
+}
+int quad_along(vec3 ray) {
+    ivec2 at = ivec2(gl_FragCoord.xy), most = textureSize(seen, 0) - 1;
+    int around[4];
+    around[0] = texelFetch(seen, max(at - ivec2(1, 0), ivec2(0)), 0).r;
+    around[1] = texelFetch(seen, min(at + ivec2(1, 0), most), 0).r;
+    around[2] = texelFetch(seen, max(at - ivec2(0, 1), ivec2(0)), 0).r;
+    around[3] = texelFetch(seen, min(at + ivec2(0, 1), most), 0).r;
+    int quad = texelFetch(seen, at, 0).r;
+    int met = -1, beside = -1, background = 0;
+    float nearest = 0.0;
+    bool differs = false;
+    if (quad >= 0 && is_met(ray, quad)) {
+        met = quad;
+        nearest = distance_along(ray, quad);
+    }
+    for (int k = 0; k < 4; ++k) {
+        int other = around[k];
+        if (other < 0) ++background;
+        if (other < 0 || other == quad) continue;
+        differs = true;
+        beside = other;
+        if (!is_met(ray, other)) continue;
+        float t = distance_along(ray, other);
+        if (met < 0 || t < nearest) {
+            met = other;
+            nearest = t;
+        }
+    }
+    if (!differs || met >= 0) return met >= 0 ? met : quad;
+    // A crack as narrow as rounding: nothing but surface is round about, so surface belongs here.
+    return quad < 0 && background == 0 ? beside : quad;
+}
+)";
+
+// Of the quads between a point and a lamp those are looked at that the lamp's map shows.
+constexpr const char* lamp_light = R"(
+uniform samplerBuffer lamps;  // LampRecords
+uniform int lamp_count;
+uniform isampler2DArray lamp_maps;
+uniform int lamp_side;
+uniform float lamp_reach;
+
+// Window coordinates in a map with faces of `side` pixels, of what lies `away` from its lamp.
+vec2 map_place(vec3 away, float side, float reach, out ivec2 corner) {
+    vec3 size = abs(away);
+    int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    int face = 2 * axis + (away[axis] < 0.0 ? 1 : 0);
+    vec2 at = vec2(away[(axis + 1) % 3], away[(axis + 2) % 3]) / (size[axis] * reach);
+    corner = ivec2(face % 3, face / 3) * int(side);
+    return (0.5 * at + 0.5) * side;
+}
+
+// The share that a quad hides of a lamp, seen from a point in `direction` from the lamp: all or
+// nothing but for a band `width` [radians] wide along its edges. x if the lamp is before the quad's
+// front, y if behind it.
+vec2 hidden_by(int quad, vec3 lamp, vec3 point, vec3 direction, float width) {
+    vec3 normal = normal_of(quad), base = vertex_of(quad, 0);
+    float before = dot(normal, lamp - base), behind = dot(normal, point - base);
+    if (before * behind >= 0.0 || abs(behind) <= contact) return vec2(0.0);
+    float inwards = before > 0.0 ? -1.0 : 1.0, inside = 4.0;
+    vec3 last = vertex_of(quad, 3) - lamp;
+    for (int k = 0; k < 4; ++k) {
+        vec3 next = vertex_of(quad, k) - lamp, edge = cross(last, next);
+        float size = length(edge);
+        if (size > 0.0) inside = min(inside, inwards * dot(edge, direction) / size);
+        last = next;
+    }
+    float share = clamp(0.5 + inside / width, 0.0, 1.0);
+    return before > 0.0 ? vec2(share, 0.0) : vec2(0.0, share);
+}
+
+// Neighbouring quads hide side by side, so what they hide adds up. Of a solid the faces towards the
+// lamp hide what those away from it hide, so the two sums do not.
+float hidden_share(int layer, vec3 lamp, vec3 point, int own, float footprint) {
+    vec3 away = point - lamp, direction = normalize(away);
+    ivec2 corner;
+    ivec2 at = ivec2(floor(map_place(away, float(lamp_side), lamp_reach, corner)));
+    float width = clamp(footprint / length(away), 1e-6, 1.5 / float(lamp_side));
+    vec2 hidden = vec2(0.0);
+    int met[9];
+    int count = 0;
+    for (int k = 0; k < 9; ++k) {
+        ivec2 texel = clamp(at + ivec2(k % 3, k / 3) - 1, ivec2(0), ivec2(lamp_side - 1));
+        int quad = texelFetch(lamp_maps, ivec3(corner + texel, layer), 0).r;
+        if (quad < 0 || quad == own) continue;
+        bool is_known = false;
+        for (int m = 0; m < count; ++m)
+            is_known = is_known || met[m] == quad;
+        if (is_known) continue;
+        met[count++] = quad;
+        hidden += hidden_by(quad, lamp, point, direction, width);
+    }
+    return min(1.0, max(hidden.x, hidden.y));
+}
+
+float falloff(float cosine, float inner, float outer) {
+    if (cosine >= inner) return 1.0;
+    if (cosine <= outer) return 0.0;
+    float t = (cosine - outer) / (inner - outer);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+vec3 light_of_lamps(vec3 point, vec3 normal, int own, float footprint) {
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < lamp_count; ++k) {
+        vec3 lamp = texelFetch(lamps, 3 * k).xyz;
+        vec4 intensity = texelFetch(lamps, 3 * k + 1);
+        vec4 axis = texelFetch(lamps, 3 * k + 2);
+        vec3 way = lamp - point;
+        float square = dot(way, way), cosine = dot(normal, way) * inversesqrt(square);
+        if (!(cosine > 0.0)) continue;
+        float share = falloff(-dot(axis.xyz, way) * inversesqrt(square), intensity.w, axis.w);
+        if (share > 0.0) share *= 1.0 - hidden_share(k, lamp, point, own, footprint);
+        sum += intensity.rgb * (share * cosine / square);
+    }
+    return sum;
+}
+)";
+
+// Emitting quads: Lambert's formula, and where something stands between, cell by cell with the
+// share of each cell that is hidden.
+constexpr const char* emitter_light = R"(
+uniform samplerBuffer emitters;  // quad, cells a side, first layer
+uniform int emitter_count;
+uniform isampler2DArray emitter_maps;
+uniform int emitter_side;
+uniform float emitter_reach;
+const int most_hiding = 12;
+
+vec3 on_quad(vec3 v[4], vec2 uv) {
+    return mix(mix(v[0], v[1], uv.x), mix(v[3], v[2], uv.x), uv.y);
+}
+
+// The angle between two vectors times the component along `normal` of their common normal.
+float edge_term(vec3 a, vec3 b, vec3 normal) {
+    vec3 across = cross(a, b);
+    float size = length(across);
+    return size > 0.0 ? atan(size, dot(a, b)) * dot(across, normal) / size : 0.0;
+}
+
+// The share of the cosine-weighted hemisphere that a quad covers (Lambert 1760; Baum et al. 1989,
+// equation 5), cut off at the horizon.
+float form_factor(vec3 point, vec3 normal, vec3 v[4]) {
+    float sum = 0.0;
+    vec3 leaving = vec3(0.0), coming = vec3(0.0);
+    vec3 a = v[3] - point;
+    float height = dot(a, normal);
+    for (int k = 0; k < 4; ++k) {
+        vec3 b = v[k] - point;
+        float next = dot(b, normal);
+        if (height > 0.0 || next > 0.0) {
+            vec3 from = a, to = b;
+            if (height <= 0.0) from = coming = mix(a, b, height / (height - next));
+            if (next <= 0.0) to = leaving = mix(a, b, height / (height - next));
+            sum += edge_term(from, to, normal);
+        }
+        a = b;
+        height = next;
+    }
+    sum += edge_term(leaving, coming, normal);
+    return abs(sum) / 6.283185307179586;
+}
+
+// The share of a cell, given by its middle and two sides, that a quad hides from a point. x and y as
+// in hidden_by.
+vec2 hidden_of_cell(int quad, vec3 point, vec3 middle, vec3 across, vec3 up) {
+    vec3 normal = normal_of(quad), base = vertex_of(quad, 0);
+    float height = dot(normal, point - base);
+    if (abs(height) <= contact) return vec2(0.0);
+    float away = height > 0.0 ? 1.0 : -1.0;
+    float width = abs(dot(normal, across)) + abs(dot(normal, up));
+    float behind = -away * dot(normal, middle - base) - contact;
+    behind = clamp(0.5 + behind / max(width, contact), 0.0, 1.0);
+    if (behind <= 0.0) return vec2(0.0);
+    float within[4];
+    vec3 last = vertex_of(quad, 3) - point;
+    for (int k = 0; k < 4; ++k) {
+        vec3 next = vertex_of(quad, k) - point, edge = cross(last, next);
+        float span = abs(dot(edge, across)) + abs(dot(edge, up));
+        float inside = -away * dot(edge, middle - point);
+        within[k] = span > 0.0 ? clamp(0.5 + inside / span, 0.0, 1.0) : 1.0;
+        last = next;
+    }
+    float share = behind * max(0.0, within[0] + within[2] - 1.0) *
+                  max(0.0, within[1] + within[3] - 1.0);
+    return away > 0.0 ? vec2(0.0, share) : vec2(share, 0.0);
+}
+
+// What stands between a point and an emitter, as far as the emitter's maps show.
+int collect_hiding(int emitter, vec3 v[4], int cells, int layer, vec3 point, int own,
+                   out int hiding[most_hiding]) {
+    int count = 0;
+    for (int k = 0; k < (cells + 1) * (cells + 1); ++k) {
+        // A little inside, or the corners would lie on what the emitter touches.
+        vec2 uv = 0.01 + 0.98 * vec2(k % (cells + 1), k / (cells + 1)) / float(cells);
+        vec3 away = point - on_quad(v, uv);
+        ivec2 corner;
+        vec2 place = map_place(away, float(emitter_side), emitter_reach, corner);
+        ivec2 at = clamp(ivec2(floor(place)), ivec2(0), ivec2(emitter_side - 1));
+        int quad = texelFetch(emitter_maps, ivec3(corner + at, layer + k), 0).r;
+        if (quad < 0 || quad == own || quad == emitter || count == most_hiding) continue;
+        bool is_known = false;
+        for (int m = 0; m < count; ++m)
+            is_known = is_known || hiding[m] == quad;
+        if (!is_known) hiding[count++] = quad;
+    }
+    return count;
+}
+
+float light_of_emitter(int emitter, int cells, int layer, vec3 point, vec3 normal, int own) {
+    vec3 v[4];
+    bool is_above = false;
+    for (int k = 0; k < 4; ++k) {
+        v[k] = vertex_of(emitter, k);
+        is_above = is_above || dot(normal, v[k] - point) > 0.0;
+    }
+    if (!is_above) return 0.0;
+    int hiding[most_hiding];
+    int count = collect_hiding(emitter, v, cells, layer, point, own, hiding);
+    if (count == 0) return form_factor(point, normal, v);
+    float sum = 0.0;
+    for (int k = 0; k < cells * cells; ++k) {
+        vec2 low = vec2(k % cells, k / cells) / float(cells), high = low + 1.0 / float(cells);
+        vec3 cell[4];
+        cell[0] = on_quad(v, low);
+        cell[1] = on_quad(v, vec2(high.x, low.y));
+        cell[2] = on_quad(v, high);
+        cell[3] = on_quad(v, vec2(low.x, high.y));
+        vec3 middle = 0.25 * (cell[0] + cell[1] + cell[2] + cell[3]);
+        vec3 across = 0.5 * (cell[1] + cell[2] - cell[0] - cell[3]);
+        vec3 up = 0.5 * (cell[2] + cell[3] - cell[0] - cell[1]);
+        vec2 hidden = vec2(0.0);
+        for (int m = 0; m < count; ++m)
+            hidden += hidden_of_cell(hiding[m], point, middle, across, up);
+        float seen = 1.0 - min(1.0, max(hidden.x, hidden.y));
+        if (seen > 0.0) sum += seen * form_factor(point, normal, cell);
+    }
+    return sum;
+}
+
+vec3 light_of_emitters(vec3 point, vec3 normal, int own) {
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < emitter_count; ++k) {
+        vec4 emitter = texelFetch(emitters, k);
+        int quad = int(emitter.x);
+        float height = dot(normal_of(quad), point - vertex_of(quad, 0));
+        if (quad == own || abs(height) <= contact) continue;
+        vec3 emission = emission_of(quad, height > 0.0);
+        if (emission == vec3(0.0)) continue;
+        sum += 3.141592653589793 * emission *
+               light_of_emitter(quad, int(emitter.y), int(emitter.z), point, normal, own);
+    }
+    return sum;
+}
+)";
+
+constexpr const char* indirect_light = R"(
+uniform sampler2D shown;  // TextureAtlas
+uniform sampler2D exact;
+uniform bool bilinear;
+
+// (u,v) of a point in the plane of a quad, by Newton's method on the bilinear map.
+vec2 parameters(int quad, vec3 point) {
+    vec3 v0 = vertex_of(quad, 0), v1 = vertex_of(quad, 1);
+    vec3 v2 = vertex_of(quad, 2), v3 = vertex_of(quad, 3);
+    vec2 uv = vec2(0.5);
+    for (int step = 0; step < 8; ++step) {
+        vec3 rest = point - mix(mix(v0, v1, uv.x), mix(v3, v2, uv.x), uv.y);
+        vec3 a = mix(v1 - v0, v2 - v3, uv.y), b = mix(v3 - v0, v2 - v1, uv.x);
+        float aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
+        float determinant = aa * bb - ab * ab;
+        if (!(determinant > 0.0)) break;
+        float ra = dot(a, rest), rb = dot(b, rest);
+        vec2 change = vec2(bb * ra - ab * rb, aa * rb - ab * ra) / determinant;
+        uv += change;
+        if (dot(change, change) < 1e-12) break;
+    }
+    return clamp(uv, 0.0, 1.0);
+}
+
+vec3 textured(sampler2D atlas, int element, vec2 uv) {
+    vec4 place = place_of(element);
+    ivec2 corner = ivec2(place.xy);
+    vec2 size = place.zw;
+    if (!bilinear)
+        return texelFetch(atlas, corner + ivec2(min(uv * size, size - 1.0)), 0).rgb;
+    vec2 at = uv * size - 0.5, low = floor(at), part = at - low;
+    ivec2 texel = corner + ivec2(low);
+    return mix(mix(texelFetch(atlas, texel, 0).rgb,
+                   texelFetch(atlas, texel + ivec2(1, 0), 0).rgb, part.x),
+               mix(texelFetch(atlas, texel + ivec2(0, 1), 0).rgb,
+                   texelFetch(atlas, texel + ivec2(1, 1), 0).rgb, part.x),
+               part.y);
+}
+)";
+
+// The ramp is false_colour.h's: lightness rises evenly (Oklab, Ottosson 2020).
+constexpr const char* colour_ramp = R"(
+vec3 from_oklab(float lightness, vec2 ab) {
+    vec3 lms = lightness + vec3(dot(vec2(0.3963377774, 0.2158037573), ab),
+                           dot(vec2(-0.1055613458, -0.0638541728), ab),
+                           dot(vec2(-0.0894841775, -1.2914855480), ab));
+    lms = lms * lms * lms;
+    return clamp(vec3(dot(vec3(4.0767416621, -3.3077115913, 0.2309699292), lms),
+                      dot(vec3(-1.2684380046, 2.6097574011, -0.3413193965), lms),
+                      dot(vec3(-0.0041960863, -0.7034186147, 1.7076147010), lms)),
+                 0.0, 1.0);
+}
+vec3 ramp_colour(float t) {
+    float x = clamp(t, 0.0, 1.0), from_middle = 2.0 * x - 1.0;
+    float chroma = 0.095 + 0.075 * from_middle * from_middle, hue = radians(300.0 - 195.0 * x);
+    return from_oklab(0.28 + 0.65 * x, chroma * vec2(cos(hue), sin(hue)));
+}
+float luminance(vec3 light) {
+    return dot(light, vec3(0.2126, 0.7152, 0.0722));
+}
+)";
+
+constexpr const char* pictures = R"(
+uniform int picture;  // enum Picture
+uniform float difference_range;
+layout(location = 0) out vec4 light;
+
+// The wavelet mesh: cells with dark borders about a pixel and a half wide.
+vec3 mesh_colour(int quad, bool front, int element, vec2 uv, float cosine, float footprint) {
+    vec4 cells = cells_of(element);
+    if (!front) cells.xy = cells.yx;  // u and v change places behind
+    vec2 sides = 0.5 * vec2(distance(vertex_of(quad, 0), vertex_of(quad, 1)) +
+                                distance(vertex_of(quad, 3), vertex_of(quad, 2)),
+                            distance(vertex_of(quad, 0), vertex_of(quad, 3)) +
+                                distance(vertex_of(quad, 1), vertex_of(quad, 2)));
+    vec2 at = uv * cells.xy;
+    vec2 to_border = abs(at - round(at)) / cells.xy * sides;
+    vec3 colour = ramp_colour(cells.z) * (0.4 + 0.6 * cosine);
+    return min(to_border.x, to_border.y) < 0.7 * footprint ? 0.15 * colour : colour;
+}
+
+// Blue where there is too little light, red where there is too much, grey where it is right.
+vec3 difference_colour(float difference) {
+    float t = clamp(difference / difference_range, -1.0, 1.0);
+    return mix(vec3(0.22), t < 0.0 ? vec3(0.0, 0.12, 0.8) : vec3(0.8, 0.04, 0.0), abs(t));
+}
+
+void main() {
+    light = vec4(0.0, 0.0, 0.0, 1.0);
+    vec3 ray = vec3(gl_FragCoord.xy * pixel.xz + pixel.yw, 1.0) * frame;
+    int quad = quad_along(ray);
+    if (quad < 0) return;
+    float t = distance_along(ray, quad);
+    vec3 point = eye + t * ray, normal = normal_of(quad);
+    bool front = dot(normal, ray) < 0.0;
+    if (!front) normal = -normal;
+    float cosine = abs(dot(normal, normalize(ray))), footprint = t * length(ray) * pixel_angle;
+    int element = element_on(quad, front);
+    vec2 uv = parameters(quad, point);
+
+    if (picture == 4 || picture == 5) {
+        if (element < 0) light.rgb = vec3(0.02);
+        else if (picture == 4)
+            light.rgb = mesh_colour(quad, front, element, uv, cosine, footprint);
+        else
+            light.rgb = ramp_colour(cells_of(element).w) * (0.4 + 0.6 * cosine);
+        return;
+    }
+    vec3 direct = vec3(0.0), indirect = vec3(0.0);
+    if (picture != 2)
+        direct = light_of_lamps(point, normal, quad, footprint / max(cosine, 0.1)) +
+                 light_of_emitters(point, normal, quad);
+    vec2 side = front ? uv : uv.yx;  // a side's own u and v
+    if (picture != 1 && element >= 0) indirect = textured(shown, element, side);
+    if (picture == 6) {
+        vec3 right = direct + (element >= 0 ? textured(exact, element, side) : vec3(0.0));
+        float reference = luminance(right);
+        float error = luminance(direct + indirect) - reference;
+        light.rgb = difference_colour(reference > 0.0 ? error / reference : 0.0);
+        return;
+    }
+    light.rgb = direct + indirect;
+    if (picture == 3) return;
+    light.rgb *= reflectance_of(quad, front);
+    if (picture != 2) light.rgb += emission_of(quad, front);
+}
+)";
+
+// Filmic curve: Narkowicz 2016, a fit to the reference rendering of the Academy Color Encoding
+// System. sRGB: IEC 61966-2-1.
+constexpr const char* development = R"(
+uniform sampler2D picture_light;
+uniform int samples, mode;  // mode 0: tone, 1: false colours, 2: as it is
+uniform float factor, maximum, divisions;
+uniform bool filmic, contours;
+layout(location = 0) out vec4 colour;
+
+vec3 mean_at(ivec2 at) {
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < samples * samples; ++k)
+        sum += texelFetch(picture_light, samples * at + ivec2(k % samples, k / samples), 0).rgb;
+    return sum / float(samples * samples);
+}
+vec3 toned(vec3 light) {
+    vec3 x = clamp(factor * light, 0.0, 1e6);
+    if (!filmic) return min(x, 1.0);
+    return min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
+}
+float part_of(vec3 light) {
+    return floor(clamp(luminance(light) / maximum, 0.0, 1.0) * divisions);
+}
+vec3 false_coloured(ivec2 at, vec3 light) {
+    ivec2 last = textureSize(picture_light, 0) / samples - 1;
+    if (contours && all(lessThan(at, last)) && at.y > 0 &&
+        (part_of(mean_at(at + ivec2(1, 0))) != part_of(light) ||
+         part_of(mean_at(at - ivec2(0, 1))) != part_of(light)))
+        return vec3(0.0);
+    return ramp_colour(luminance(light) / maximum);
+}
+vec3 srgb_encoded(vec3 x) {
+    return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x,
+               lessThanEqual(x, vec3(0.0031308)));
+}
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec3 light = mean_at(at);
+    vec3 shown = mode == 0 ? toned(light) : mode == 1 ? false_coloured(at, light) : light;
+    colour = vec4(srgb_encoded(clamp(shown, 0.0, 1.0)), 1.0);
+}
+)";
+
+}  // namespace
+
+const char* covering_vertex_shader() {
+    return R"(#version 330 core
+void main() {
+    gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
+}
+)";
+}
+
+std::string lighting_shader() {
+    return std::string(surface_access) + seen_surface + lamp_light + emitter_light +
+           indirect_light + colour_ramp + pictures;
+}
+
+std::string developing_shader() {
+    return std::string("#version 330 core\n") + colour_ramp + development;
+}
+
+}  // namespace lightwell
