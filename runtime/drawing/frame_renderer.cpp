@@ -9,6 +9,7 @@
 
 #include "radiance4d/failure.h"
 #include "runtime/drawing/camera_rays.h"
+#include "runtime/drawing/emitter_shafts.h"
 #include "runtime/drawing/frame_shaders.h"
 #include "runtime/drawing/gl_objects.h"
 #include "runtime/drawing/index_drawing.h"
@@ -194,33 +195,6 @@ void append_records(const Light& light, const SceneScale& scale, std::vector<Rec
     }
 }
 
-/// Emitting quads, and the points from which they look at the scene: the corners of cells x cells
-/// parts, a little inside.
-struct EmitterRecords {
-    std::vector<Record> records;
-    std::vector<Vec3> places;
-
-    EmitterRecords(const Scene& scene, const std::vector<Quad>& scaled, int most_layers) {
-        std::vector<int> emitting;
-        for (int q = 0; q < static_cast<int>(scene.quads.size()); ++q)
-            if ((scene.material_of(q).emission > 0).any()) emitting.push_back(q);
-        const int count = static_cast<int>(emitting.size());
-        int cells = 3;
-        while (cells > 1 && count * (cells + 1) * (cells + 1) > most_layers)
-            --cells;
-        for (const int q : emitting) {
-            records.push_back({static_cast<float>(q), static_cast<float>(cells),
-                               static_cast<float>(places.size()), 0});
-            for (int k = 0; k < (cells + 1) * (cells + 1); ++k)
-                places.push_back(scaled[static_cast<std::size_t>(q)].point(
-                    0.01 + 0.98 * (k % (cells + 1)) / cells,
-                    0.01 + 0.98 * (k / (cells + 1)) / cells));
-        }
-    }
-};
-
-constexpr int emitter_side = 128;
-
 }  // namespace
 
 class FrameRenderer::Drawing {
@@ -238,25 +212,23 @@ class FrameRenderer::Drawing {
           surface_buffer_(gl_),
           lamp_buffer_(gl_),
           emitter_buffer_(gl_),
+          shaft_buffer_(gl_),
           shown_(make_texture(gl_)),
           exact_(make_texture(gl_)),
-          lamp_maps_(gl_, indices_, options.lamp_side),
-          emitter_maps_(gl_, indices_, emitter_side) {
+          lamp_maps_(gl_, indices_, options.lamp_side) {
         for (std::size_t q = 0; q < quads_.size(); ++q)
             quads_[q] = transport.scene.quads[q].quad;
         surface_buffer_.set(surfaces_.records);
         lamp_buffer_.set({});
         const KeptFramebuffer kept(gl_);
-        int most_layers = 0;
-        gl_.get_integerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most_layers);
-        const EmitterRecords emitters(transport.scene, scaled_quads(transport.scene, scale_),
-                                      std::min(most_layers, 512));
-        if (static_cast<int>(emitters.places.size()) > most_layers)
-            throw SystemError(fmt::format("OpenGL cannot hold the shadows of {} emitting quads",
-                                          emitters.records.size()));
-        emitter_buffer_.set(emitters.records);
-        emitter_count_ = static_cast<int>(emitters.records.size());
-        emitter_maps_.look_from(emitters.places);
+        const EmitterShafts shafts(transport.scene);
+        std::vector<Record> emitters;
+        for (const int emitter : shafts.emitters())
+            emitters.push_back({static_cast<float>(emitter), 0, 0, 0});
+        emitter_buffer_.set(emitters);
+        shaft_buffer_.set(shafts.records());
+        emitter_count_ = static_cast<int>(emitters.size());
+        first_list_ = shafts.first_list();
         // One texel with its border, for all elements.
         const std::array<float, 4 * 9> darkness = {};
         for (const GlObject* texture : {&shown_, &exact_})
@@ -408,7 +380,7 @@ class FrameRenderer::Drawing {
         program.set_texture("lamps", GL_TEXTURE_BUFFER, lamp_buffer_.texture());
         program.set_texture("lamp_maps", GL_TEXTURE_2D_ARRAY, lamp_maps_.texture());
         program.set_texture("emitters", GL_TEXTURE_BUFFER, emitter_buffer_.texture());
-        program.set_texture("emitter_maps", GL_TEXTURE_2D_ARRAY, emitter_maps_.texture());
+        program.set_texture("shafts", GL_TEXTURE_BUFFER, shaft_buffer_.texture());
         program.set_texture("shown", GL_TEXTURE_2D, shown_.name());
         program.set_texture("exact", GL_TEXTURE_2D, exact_.name());
         program.set("first_element", surfaces_.first_element);
@@ -423,8 +395,7 @@ class FrameRenderer::Drawing {
         program.set("lamp_side", lamp_maps_.side());
         program.set("lamp_reach", lamp_maps_.reach());
         program.set("emitter_count", emitter_count_);
-        program.set("emitter_side", emitter_maps_.side());
-        program.set("emitter_reach", emitter_maps_.reach());
+        program.set("first_list", first_list_);
         program.set("bilinear", view.bilinear ? 1 : 0);
         program.set("picture", static_cast<int>(view.picture));
         program.set("difference_range", view.difference_range);
@@ -463,10 +434,10 @@ class FrameRenderer::Drawing {
     SurfaceRecords surfaces_;
     IndexDrawing indices_;
     GlObject lighting_, developing_, covering_;
-    RecordBuffer surface_buffer_, lamp_buffer_, emitter_buffer_;
+    RecordBuffer surface_buffer_, lamp_buffer_, emitter_buffer_, shaft_buffer_;
     GlObject shown_, exact_;
-    LampMaps lamp_maps_, emitter_maps_;
-    int lamp_count_ = 0, emitter_count_ = 0;
+    LampMaps lamp_maps_;
+    int lamp_count_ = 0, emitter_count_ = 0, first_list_ = 0;
     std::optional<Canvas> canvas_;
     std::optional<CameraRays> rays_;
 };

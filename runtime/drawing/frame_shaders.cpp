@@ -60,6 +60,9 @@ bool is_met(vec3 ray, int quad) {
     }
     return true;
 }
+bool faces(vec3 ray, int quad) {
+    return dot(normal_of(quad), ray) < 0.0;
+}
 int quad_along(vec3 ray) {
     ivec2 at = ivec2(gl_FragCoord.xy), most = textureSize(seen, 0) - 1;
     int around[4];
@@ -83,7 +86,9 @@ int quad_along(vec3 ray) {
         beside = other;
         if (!is_met(ray, other)) continue;
         float t = distance_along(ray, other);
-        if (met < 0 || t < nearest) {
+        // Where several quads share an edge, one that is seen from the front.
+        bool is_tie = met >= 0 && abs(t - nearest) <= 1e-5 * t;
+        if (met < 0 || (is_tie ? faces(ray, other) && !faces(ray, met) : t < nearest)) {
             met = other;
             nearest = t;
         }
@@ -182,12 +187,11 @@ vec3 light_of_lamps(vec3 point, vec3 normal, int own, float footprint) {
 // Emitting quads: Lambert's formula, and where something stands between, cell by cell with the
 // share of each cell that is hidden.
 constexpr const char* emitter_light = R"(
-uniform samplerBuffer emitters;  // quad, cells a side, first layer
+uniform samplerBuffer emitters;  // indices of the quads
 uniform int emitter_count;
-uniform isampler2DArray emitter_maps;
-uniform int emitter_side;
-uniform float emitter_reach;
-const int most_hiding = 12;
+uniform samplerBuffer shafts;  // EmitterShafts
+uniform int first_list;
+const int most_hiding = 24, emitter_cells = 3;
 
 vec3 on_quad(vec3 v[4], vec2 uv) {
     return mix(mix(v[0], v[1], uv.x), mix(v[3], v[2], uv.x), uv.y);
@@ -248,41 +252,29 @@ vec2 hidden_of_cell(int quad, vec3 point, vec3 middle, vec3 across, vec3 up) {
     return away > 0.0 ? vec2(0.0, share) : vec2(share, 0.0);
 }
 
-// What stands between a point and an emitter, as far as the emitter's maps show.
-int collect_hiding(int emitter, vec3 v[4], int cells, int layer, vec3 point, int own,
-                   out int hiding[most_hiding]) {
+// What hides some of an emitter from a point.
+int collect_hiding(vec3 v[4], vec3 point, int first, int number, out int hiding[most_hiding]) {
+    vec3 middle = 0.25 * (v[0] + v[1] + v[2] + v[3]);
+    vec3 across = 0.5 * (v[1] + v[2] - v[0] - v[3]), up = 0.5 * (v[2] + v[3] - v[0] - v[1]);
     int count = 0;
-    for (int k = 0; k < (cells + 1) * (cells + 1); ++k) {
-        // A little inside, or the corners would lie on what the emitter touches.
-        vec2 uv = 0.01 + 0.98 * vec2(k % (cells + 1), k / (cells + 1)) / float(cells);
-        vec3 away = point - on_quad(v, uv);
-        ivec2 corner;
-        vec2 place = map_place(away, float(emitter_side), emitter_reach, corner);
-        ivec2 at = clamp(ivec2(floor(place)), ivec2(0), ivec2(emitter_side - 1));
-        int quad = texelFetch(emitter_maps, ivec3(corner + at, layer + k), 0).r;
-        if (quad < 0 || quad == own || quad == emitter || count == most_hiding) continue;
-        bool is_known = false;
-        for (int m = 0; m < count; ++m)
-            is_known = is_known || hiding[m] == quad;
-        if (!is_known) hiding[count++] = quad;
+    for (int k = first; k < first + number && count < most_hiding; ++k) {
+        int quad = int(texelFetch(shafts, first_list + k / 4)[k % 4]);
+        if (hidden_of_cell(quad, point, middle, across, up) != vec2(0.0)) hiding[count++] = quad;
     }
     return count;
 }
 
-float light_of_emitter(int emitter, int cells, int layer, vec3 point, vec3 normal, int own) {
+float light_of_emitter(int emitter, int first, int number, vec3 point, vec3 normal) {
     vec3 v[4];
-    bool is_above = false;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4; ++k)
         v[k] = vertex_of(emitter, k);
-        is_above = is_above || dot(normal, v[k] - point) > 0.0;
-    }
-    if (!is_above) return 0.0;
     int hiding[most_hiding];
-    int count = collect_hiding(emitter, v, cells, layer, point, own, hiding);
+    int count = collect_hiding(v, point, first, number, hiding);
     if (count == 0) return form_factor(point, normal, v);
     float sum = 0.0;
-    for (int k = 0; k < cells * cells; ++k) {
-        vec2 low = vec2(k % cells, k / cells) / float(cells), high = low + 1.0 / float(cells);
+    for (int k = 0; k < emitter_cells * emitter_cells; ++k) {
+        vec2 low = vec2(k % emitter_cells, k / emitter_cells) / float(emitter_cells);
+        vec2 high = low + 1.0 / float(emitter_cells);
         vec3 cell[4];
         cell[0] = on_quad(v, low);
         cell[1] = on_quad(v, vec2(high.x, low.y));
@@ -294,23 +286,29 @@ float light_of_emitter(int emitter, int cells, int layer, vec3 point, vec3 norma
         vec2 hidden = vec2(0.0);
         for (int m = 0; m < count; ++m)
             hidden += hidden_of_cell(hiding[m], point, middle, across, up);
-        float seen = 1.0 - min(1.0, max(hidden.x, hidden.y));
-        if (seen > 0.0) sum += seen * form_factor(point, normal, cell);
+        float visible = 1.0 - min(1.0, max(hidden.x, hidden.y));
+        if (visible > 0.0) sum += visible * form_factor(point, normal, cell);
     }
     return sum;
 }
 
-vec3 light_of_emitters(vec3 point, vec3 normal, int own) {
+// `uv` are the parameters of the quad's front.
+vec3 light_of_emitters(vec3 point, vec3 normal, int own, bool front, vec2 uv) {
     vec3 sum = vec3(0.0);
+    if (emitter_count == 0) return sum;
+    vec4 side = texelFetch(shafts, 2 * own + (front ? 0 : 1));
+    ivec2 part = ivec2(min(uv * side.xy, side.xy - 1.0));
+    int shaft = int(side.z) + (part.y * int(side.x) + part.x) * emitter_count;
     for (int k = 0; k < emitter_count; ++k) {
-        vec4 emitter = texelFetch(emitters, k);
-        int quad = int(emitter.x);
+        vec2 list = texelFetch(shafts, shaft + k).xy;
+        if (list.y < 0.0) continue;
+        int quad = int(texelFetch(emitters, k).x);
         float height = dot(normal_of(quad), point - vertex_of(quad, 0));
-        if (quad == own || abs(height) <= contact) continue;
+        if (abs(height) <= contact) continue;
         vec3 emission = emission_of(quad, height > 0.0);
         if (emission == vec3(0.0)) continue;
         sum += 3.141592653589793 * emission *
-               light_of_emitter(quad, int(emitter.y), int(emitter.z), point, normal, own);
+               light_of_emitter(quad, int(list.x), int(list.y), point, normal);
     }
     return sum;
 }
@@ -427,7 +425,7 @@ void main() {
     vec3 direct = vec3(0.0), indirect = vec3(0.0);
     if (picture != 2)
         direct = light_of_lamps(point, normal, quad, footprint / max(cosine, 0.1)) +
-                 light_of_emitters(point, normal, quad);
+                 light_of_emitters(point, normal, quad, front, uv);
     vec2 side = front ? uv : uv.yx;  // a side's own u and v
     if (picture != 1 && element >= 0) indirect = textured(shown, element, side);
     if (picture == 6) {
