@@ -5,15 +5,17 @@
 #include <cmath>
 
 #include <GL/glcorearb.h>
-#include <fmt/format.h>
 
 #include "radiance4d/failure.h"
 #include "runtime/drawing/camera_rays.h"
+#include "runtime/drawing/canvas.h"
 #include "runtime/drawing/emitter_shafts.h"
 #include "runtime/drawing/frame_shaders.h"
 #include "runtime/drawing/gl_objects.h"
+#include "runtime/drawing/gl_state.h"
 #include "runtime/drawing/index_drawing.h"
 #include "runtime/drawing/lamp_maps.h"
+#include "runtime/drawing/record_buffer.h"
 #include "runtime/drawing/surface_records.h"
 
 namespace lightwell {
@@ -29,151 +31,6 @@ std::vector<Quad> scaled_quads(const Scene& scene, const SceneScale& scale) {
     }
     return quads;
 }
-
-/// Remembers the framebuffer that is bound, and binds it again.
-class KeptFramebuffer {
-  public:
-    explicit KeptFramebuffer(const GlFunctions& gl) : gl_(gl) {
-        gl.get_integerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
-        gl.get_integerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
-    }
-    ~KeptFramebuffer() {
-        gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(read_));
-        bind_drawn();
-    }
-    KeptFramebuffer(const KeptFramebuffer&) = delete;
-    KeptFramebuffer& operator=(const KeptFramebuffer&) = delete;
-    void bind_drawn() const {
-        gl_.bind_framebuffer(GL_DRAW_FRAMEBUFFER, static_cast<unsigned>(drawn_));
-    }
-
-  private:
-    const GlFunctions& gl_;
-    int drawn_ = 0, read_ = 0;
-};
-
-/// Records that shaders read through a texture.
-class RecordBuffer {
-  public:
-    explicit RecordBuffer(const GlFunctions& gl)
-        : gl_(gl), buffer_(make_buffer(gl)), texture_(make_texture(gl)) {}
-    void set(const std::vector<Record>& records) {
-        // A buffer of no size cannot be read at all.
-        const Record nothing = {0, 0, 0, 0};
-        gl_.bind_buffer(GL_TEXTURE_BUFFER, buffer_.name());
-        gl_.buffer_data(
-            GL_TEXTURE_BUFFER,
-            static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, records.size()) * sizeof(Record)),
-            records.empty() ? &nothing : records.data(), GL_DYNAMIC_DRAW);
-        gl_.active_texture(GL_TEXTURE0);
-        gl_.bind_texture(GL_TEXTURE_BUFFER, texture_.name());
-        gl_.tex_buffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.name());
-        gl_.bind_texture(GL_TEXTURE_BUFFER, 0);
-        gl_.bind_buffer(GL_TEXTURE_BUFFER, 0);
-    }
-    unsigned texture() const { return texture_.name(); }
-
-  private:
-    const GlFunctions& gl_;
-    GlObject buffer_, texture_;
-};
-
-/// An image that is drawn, and then read by a shader.
-class DrawnImage {
-  public:
-    /// @param format  an OpenGL sized internal format, of integers or floats as `kind` and `type`
-    /// say
-    DrawnImage(const GlFunctions& gl, unsigned format, unsigned kind, unsigned type, int width,
-               int height)
-        : texture_(make_texture(gl)) {
-        gl.active_texture(GL_TEXTURE0);
-        gl.bind_texture(GL_TEXTURE_2D, texture_.name());
-        for (const unsigned filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            gl.tex_parameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-        gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        gl.tex_image_2d(GL_TEXTURE_2D, 0, static_cast<int>(format), width, height, 0, kind, type,
-                        nullptr);
-        gl.bind_texture(GL_TEXTURE_2D, 0);
-    }
-    unsigned texture() const { return texture_.name(); }
-
-  private:
-    GlObject texture_;
-};
-
-/// The images behind a picture of a certain size.
-struct Canvas {
-    int width, height;  ///< [samples]
-    DrawnImage seen, light;
-    GlObject depth, seen_framebuffer, light_framebuffer;
-
-    Canvas(const GlFunctions& gl, int canvas_width, int canvas_height)
-        : width(canvas_width),
-          height(canvas_height),
-          seen(gl, GL_R32I, GL_RED_INTEGER, GL_INT, width, height),
-          light(gl, GL_RGBA32F, GL_RGBA, GL_FLOAT, width, height),
-          depth(make_renderbuffer(gl, GL_DEPTH_COMPONENT32F, width, height)),
-          seen_framebuffer(make_framebuffer(gl)),
-          light_framebuffer(make_framebuffer(gl)) {
-        gl.bind_framebuffer(GL_FRAMEBUFFER, seen_framebuffer.name());
-        gl.framebuffer_texture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, seen.texture(), 0);
-        gl.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                    depth.name());
-        require_complete(gl);
-        gl.bind_framebuffer(GL_FRAMEBUFFER, light_framebuffer.name());
-        gl.framebuffer_texture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, light.texture(), 0);
-        require_complete(gl);
-    }
-
-  private:
-    void require_complete(const GlFunctions& gl) const {
-        const unsigned status = gl.check_framebuffer_status(GL_FRAMEBUFFER);
-        check_gl(gl, "making an image to draw on");
-        if (status != GL_FRAMEBUFFER_COMPLETE)
-            throw SystemError(
-                fmt::format("OpenGL cannot draw {} x {} pixels (framebuffer status 0x{:04x})",
-                            width, height, status));
-    }
-};
-
-/// A program, with its uniforms by name; in use while it lives.
-class ProgramInUse {
-  public:
-    ProgramInUse(const GlFunctions& gl, const GlObject& program)
-        : gl_(gl), program_(program.name()) {
-        gl.use_program(program_);
-    }
-    ~ProgramInUse() {
-        for (int unit = used_ - 1; unit >= 0; --unit) {
-            gl_.active_texture(GL_TEXTURE0 + static_cast<unsigned>(unit));
-            for (const unsigned target : {GL_TEXTURE_2D, GL_TEXTURE_BUFFER, GL_TEXTURE_2D_ARRAY})
-                gl_.bind_texture(target, 0);
-        }
-        gl_.use_program(0);
-    }
-    ProgramInUse(const ProgramInUse&) = delete;
-    ProgramInUse& operator=(const ProgramInUse&) = delete;
-
-    void set(const char* name, int value) const { gl_.uniform1i(at(name), value); }
-    void set(const char* name, double value) const {
-        gl_.uniform1f(at(name), static_cast<float>(value));
-    }
-    void set(const char* name, const Vec3& v) const {
-        gl_.uniform3f(at(name), static_cast<float>(v[0]), static_cast<float>(v[1]),
-                      static_cast<float>(v[2]));
-    }
-    int at(const char* name) const { return gl_.get_uniform_location(program_, name); }
-    void set_texture(const char* name, unsigned target, unsigned texture) {
-        gl_.active_texture(GL_TEXTURE0 + static_cast<unsigned>(used_));
-        gl_.bind_texture(target, texture);
-        gl_.uniform1i(at(name), used_++);
-    }
-
-  private:
-    const GlFunctions& gl_;
-    unsigned program_;
-    int used_ = 0;  ///< texture units
-};
 
 Record record(const Eigen::Array3d& three, double fourth) {
     return {static_cast<float>(three[0]), static_cast<float>(three[1]),
@@ -266,7 +123,7 @@ class FrameRenderer::Drawing {
         const KeptFramebuffer kept(gl_);
         draw_light(camera, view, width, height);
         const int samples = view.samples;
-        const std::vector<float> drawn = read_light();
+        const std::vector<float> drawn = canvas_->light();
         LinearPicture picture{width, height, {}};
         picture.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         for (int y = 0; y < height; ++y)
@@ -277,7 +134,7 @@ class FrameRenderer::Drawing {
                         const int row = samples * (height - 1 - y) + k / samples;
                         const int column = samples * x + k % samples;
                         sum += drawn[4 * (static_cast<std::size_t>(row) *
-                                              static_cast<std::size_t>(canvas_->width) +
+                                              static_cast<std::size_t>(canvas_->width()) +
                                           static_cast<std::size_t>(column)) +
                                      static_cast<std::size_t>(channel)];
                     }
@@ -290,14 +147,9 @@ class FrameRenderer::Drawing {
         if (!rays_ || x < 0 || y < 0 || x >= rays_->width() || y >= rays_->height())
             return std::nullopt;
         const KeptFramebuffer kept(gl_);
-        const int samples = canvas_->width / rays_->width();
-        int quad = -1;
-        gl_.bind_framebuffer(GL_FRAMEBUFFER, canvas_->seen_framebuffer.name());
-        prepare_reading();
-        gl_.read_pixels(samples * x + samples / 2,
-                        samples * (rays_->height() - 1 - y) + samples / 2, 1, 1, GL_RED_INTEGER,
-                        GL_INT, &quad);
-        check_gl(gl_, "reading what a pixel sees");
+        const int samples = canvas_->width() / rays_->width();
+        const int quad = canvas_->seen_at(samples * x + samples / 2,
+                                          samples * (rays_->height() - 1 - y) + samples / 2);
         if (quad < 0) return std::nullopt;
         const Quad& seen = quads_[static_cast<std::size_t>(quad)];
         const Vec3 direction = rays_->direction(x + 0.5, y + 0.5), normal = seen.normal();
@@ -311,46 +163,11 @@ class FrameRenderer::Drawing {
 
   private:
     void fill(const GlObject& texture, const TextureSize& size, const float* pixels) const {
-        gl_.bind_buffer(GL_PIXEL_UNPACK_BUFFER, 0);
-        gl_.active_texture(GL_TEXTURE0);
-        gl_.bind_texture(GL_TEXTURE_2D, texture.name());
-        for (const unsigned filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            gl_.tex_parameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-        gl_.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        for (const unsigned parameter : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
-                                         GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES})
-            gl_.pixel_storei(parameter, 0);
-        gl_.pixel_storei(GL_UNPACK_ALIGNMENT, 4);
-        gl_.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA32F, size.columns, size.rows, 0, GL_RGBA,
-                         GL_FLOAT, pixels);
-        gl_.bind_texture(GL_TEXTURE_2D, 0);
-    }
-
-    void prepare_reading() const {
-        gl_.bind_buffer(GL_PIXEL_PACK_BUFFER, 0);
-        for (const unsigned parameter :
-             {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES})
-            gl_.pixel_storei(parameter, 0);
-        gl_.pixel_storei(GL_PACK_ALIGNMENT, 4);
-    }
-
-    std::vector<float> read_light() const {
-        std::vector<float> rgba(4 * static_cast<std::size_t>(canvas_->width) *
-                                static_cast<std::size_t>(canvas_->height));
-        gl_.bind_framebuffer(GL_FRAMEBUFFER, canvas_->light_framebuffer.name());
-        prepare_reading();
-        gl_.read_pixels(0, 0, canvas_->width, canvas_->height, GL_RGBA, GL_FLOAT, rgba.data());
-        check_gl(gl_, "reading a picture");
-        return rgba;
+        fill_texture(gl_, texture, GL_RGBA32F, GL_RGBA, GL_FLOAT, size.columns, size.rows, pixels);
     }
 
     void prepare_canvas(int width, int height) {
-        int longest = 0;
-        gl_.get_integerv(GL_MAX_TEXTURE_SIZE, &longest);
-        if (std::max(width, height) > longest)
-            throw SystemError(fmt::format("OpenGL cannot draw {} x {} pixels, {} a side at most",
-                                          width, height, longest));
-        if (canvas_ && canvas_->width == width && canvas_->height == height) return;
+        if (canvas_ && canvas_->width() == width && canvas_->height() == height) return;
         canvas_.reset();
         canvas_.emplace(gl_, width, height);
     }
@@ -365,17 +182,17 @@ class FrameRenderer::Drawing {
         seen.frame = rays_->frame();
         seen.across = 0.5 * width / rays_->focal_length();
         seen.up = 0.5 * height / rays_->focal_length();
-        seen.width = canvas_->width;
-        seen.height = canvas_->height;
-        gl_.bind_framebuffer(GL_FRAMEBUFFER, canvas_->seen_framebuffer.name());
-        indices_.clear(canvas_->width, canvas_->height);
+        seen.width = canvas_->width();
+        seen.height = canvas_->height();
+        canvas_->bind_seen();
+        indices_.clear(canvas_->width(), canvas_->height());
         indices_.draw(seen);
 
-        gl_.bind_framebuffer(GL_FRAMEBUFFER, canvas_->light_framebuffer.name());
+        canvas_->bind_light();
         gl_.disable(GL_DEPTH_TEST);
-        gl_.viewport(0, 0, canvas_->width, canvas_->height);
+        gl_.viewport(0, 0, canvas_->width(), canvas_->height());
         ProgramInUse program(gl_, lighting_);
-        program.set_texture("seen", GL_TEXTURE_2D, canvas_->seen.texture());
+        program.set_texture("seen", GL_TEXTURE_2D, canvas_->seen_texture());
         program.set_texture("surfaces", GL_TEXTURE_BUFFER, surface_buffer_.texture());
         program.set_texture("lamps", GL_TEXTURE_BUFFER, lamp_buffer_.texture());
         program.set_texture("lamp_maps", GL_TEXTURE_2D_ARRAY, lamp_maps_.texture());
@@ -385,11 +202,9 @@ class FrameRenderer::Drawing {
         program.set_texture("exact", GL_TEXTURE_2D, exact_.name());
         program.set("first_element", surfaces_.first_element);
         program.set("eye", seen.eye);
-        const Eigen::Matrix3f frame = seen.frame.cast<float>();
-        gl_.uniform_matrix3fv(program.at("frame"), 1, GL_FALSE, frame.data());
-        gl_.uniform4f(program.at("pixel"), static_cast<float>(2 * seen.across / seen.width),
-                      static_cast<float>(-seen.across),
-                      static_cast<float>(2 * seen.up / seen.height), static_cast<float>(-seen.up));
+        program.set("frame", seen.frame);
+        program.set("pixel", Eigen::Vector4d(2 * seen.across / seen.width, -seen.across,
+                                             2 * seen.up / seen.height, -seen.up));
         program.set("pixel_angle", 2 * seen.up / seen.height);
         program.set("lamp_count", lamp_count_);
         program.set("lamp_side", lamp_maps_.side());
@@ -408,7 +223,7 @@ class FrameRenderer::Drawing {
         gl_.disable(GL_FRAMEBUFFER_SRGB);
         gl_.viewport(0, 0, width, height);
         ProgramInUse program(gl_, developing_);
-        program.set_texture("picture_light", GL_TEXTURE_2D, canvas_->light.texture());
+        program.set_texture("picture_light", GL_TEXTURE_2D, canvas_->light_texture());
         program.set("samples", view.samples);
         const bool is_luminance = view.picture == Picture::total ||
                                   view.picture == Picture::direct ||

@@ -5,6 +5,8 @@
 
 #include <GL/glcorearb.h>
 
+#include "runtime/drawing/gl_state.h"
+
 namespace lightwell {
 
 namespace {
@@ -18,13 +20,13 @@ flat out vec3 seen_plane;
 flat out int quad;
 uniform vec3 eye;
 uniform mat3 frame;
-uniform vec2 view;  // tangents of half the angle of view
+uniform float across, up;  // tangents of half the angle of view
 uniform float nearest;
 void main() {
     vec3 seen = frame * (corner - eye);
     seen_plane = frame * normal / dot(normal, base - eye);
     quad = gl_VertexID / 4;
-    gl_Position = vec4(seen.xy / view, seen.z - 2.0 * nearest, seen.z);
+    gl_Position = vec4(seen.xy / vec2(across, up), seen.z - 2.0 * nearest, seen.z);
 }
 )";
 
@@ -109,26 +111,20 @@ void IndexDrawing::clear(int width, int height) const {
 }
 
 void IndexDrawing::draw(const IndexView& view) const {
-    const auto uniform = [&](const char* name) {
-        return gl_.get_uniform_location(program_.name(), name);
-    };
     gl_.viewport(view.left, view.bottom, view.width, view.height);
-    gl_.use_program(program_.name());
-    const auto eye = as_floats(view.eye);
-    gl_.uniform3f(uniform("eye"), eye[0], eye[1], eye[2]);
-    // OpenGL's matrices have their columns one after the other, as Eigen's do.
-    const Eigen::Matrix3f frame = view.frame.cast<float>();
-    gl_.uniform_matrix3fv(uniform("frame"), 1, GL_FALSE, frame.data());
-    gl_.uniform2f(uniform("view"), static_cast<float>(view.across), static_cast<float>(view.up));
-    gl_.uniform1f(uniform("nearest"), nearest);
-    gl_.uniform4f(uniform("pixel"), static_cast<float>(2 * view.across / view.width),
-                  static_cast<float>(-view.across * (1 + 2.0 * view.left / view.width)),
-                  static_cast<float>(2 * view.up / view.height),
-                  static_cast<float>(-view.up * (1 + 2.0 * view.bottom / view.height)));
+    const ProgramInUse program(gl_, program_);
+    program.set("eye", view.eye);
+    program.set("frame", view.frame);
+    program.set("across", view.across);
+    program.set("up", view.up);
+    program.set("nearest", static_cast<double>(nearest));
+    program.set("pixel", Eigen::Vector4d(2 * view.across / view.width,
+                                         -view.across * (1 + 2.0 * view.left / view.width),
+                                         2 * view.up / view.height,
+                                         -view.up * (1 + 2.0 * view.bottom / view.height)));
     gl_.bind_vertex_array(vertex_array_.name());
     gl_.draw_elements(GL_TRIANGLES, 6 * count_, GL_UNSIGNED_INT, nullptr);
     gl_.bind_vertex_array(0);
-    gl_.use_program(0);
 }
 
 }  // namespace lightwell
