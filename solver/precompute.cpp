@@ -199,13 +199,16 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     GlobalTransport transport;
     transport.scene = ground.scene;
     transport.space = RadianceSpace(std::move(elements));
-    std::vector<Coefficient> coefficients = direct_transport(transport.space, pairs, progress);
+    for (const PairLinks& pair : pairs)
+        transport.provenance.links += pair.links.size();
+    const SymmetricOperator means = mean_bounce(transport.space.elements(), pairs);
+    std::vector<Coefficient> coefficients =
+        direct_transport(transport.space, std::move(pairs), progress);
     report.coefficients_before = coefficients.size();
     clock.lap("operator");
     const Eigen::ArrayXd albedo = reflectance_of(ground.scene, transport.space).rowwise().mean();
     const LightEnsemble ensemble =
-        light_ensemble(transport.space, ground.quads, ground.occluders, ground.expected,
-                       mean_bounce(transport.space.elements(), pairs),
+        light_ensemble(transport.space, ground.quads, ground.occluders, ground.expected, means,
                        of_means(transport.space, albedo), progress);
     const TrialLights tried = projected_trials(transport.space, ground, progress);
     clock.lap("ensemble");
@@ -220,8 +223,6 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     clock.lap("series");
     report.elements = transport.space.elements().size();
     report.cells = transport.space.functions();
-    for (const PairLinks& pair : pairs)
-        transport.provenance.links += pair.links.size();
     return transport;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -47,10 +48,10 @@ std::vector<HalfTransformed> sender_transformed(const Element& x, const Element&
 }
 
 /// The block of M between two elements, transformed on both sides.
-std::vector<Coefficient> pair_block(const RadianceSpace& space, const PairLinks& pair) {
+std::vector<Coefficient> pair_block(const RadianceSpace& space, PairLinks pair) {
     const Element& x = space.element(pair.receiver);
     const Element& y = space.element(pair.sender);
-    std::vector<HalfTransformed> half = sender_transformed(x, y, pair.links);
+    std::vector<HalfTransformed> half = sender_transformed(x, y, std::move(pair.links));
     std::stable_sort(half.begin(), half.end(),
                      [](const HalfTransformed& a, const HalfTransformed& b) {
                          return a.sender_function < b.sender_function;
@@ -81,14 +82,13 @@ std::vector<Coefficient> pair_block(const RadianceSpace& space, const PairLinks&
 
 }  // namespace
 
-std::vector<Coefficient> direct_transport(const RadianceSpace& space,
-                                          const std::vector<PairLinks>& pairs,
+std::vector<Coefficient> direct_transport(const RadianceSpace& space, std::vector<PairLinks> pairs,
                                           const Progress& progress) {
     std::vector<std::vector<Coefficient>> blocks(pairs.size());
     std::atomic<std::size_t> finished{0};
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t p) {
         progress.check();
-        blocks[p] = pair_block(space, pairs[p]);
+        blocks[p] = pair_block(space, std::move(pairs[p]));
         progress.say("operator",
                      static_cast<double>(++finished) / static_cast<double>(pairs.size()));
     });

@@ -21,9 +21,9 @@ struct Coefficient {
 /// surfaces). The links of each pair of elements are transformed on both sides: coefficients of
 /// coarse supports are the exact transform of finer ones, never sampled anew (WRT section 4.3.1).
 ///
-/// Ordered by column, then row. Coefficients that are zero to rounding are left out.
-std::vector<Coefficient> direct_transport(const RadianceSpace& space,
-                                          const std::vector<PairLinks>& pairs,
+/// Ordered by column, then row. Coefficients that are zero to rounding are left out. Links are
+/// forgotten as they are transformed: move them here where memory is dear.
+std::vector<Coefficient> direct_transport(const RadianceSpace& space, std::vector<PairLinks> pairs,
                                           const Progress& progress);
 
 }  // namespace lightwell

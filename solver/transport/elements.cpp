@@ -1,8 +1,11 @@
 #include "solver/transport/elements.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include "radiance4d/basis/direction_map.h"
 
@@ -18,6 +21,52 @@ bool has_company(const Quad& side, const std::vector<SceneQuad>& quads) {
     for (const SceneQuad& other : quads)
         for (const Vec3& corner : other.quad.vertex)
             if (n.dot(corner) - height > tolerance) return true;
+    return false;
+}
+
+/// Every back that some light would reach.
+std::vector<char> lit_backs(const std::vector<Vec3>& positions, const Visibility& visibility,
+                            OracleCost& cost) {
+    constexpr int looks = 256;
+    std::vector<char> seen(static_cast<std::size_t>(visibility.quad_count()), 0);
+    for (const Vec3& position : positions) {
+        for (int k = 0; k < looks; ++k) {
+            const Hit hit = visibility.nearest(position, free_point, spiral_direction(k, looks));
+            if (hit && !hit.front) seen[static_cast<std::size_t>(hit.quad)] = 1;
+        }
+    }
+    cost.rays += positions.size() * looks;
+    return seen;
+}
+
+/// Whether light that has been reflected once falls on a side: looks from it, and from what is met
+/// there to the nearest places where a light can be.
+///
+/// @param normals  by quad, of its front
+bool sees_light(const Element& element, const std::vector<Vec3>& normals,
+                const std::vector<Vec3>& positions, const Visibility& visibility,
+                std::uint64_t& rays) {
+    constexpr int looks = 256;
+    constexpr std::size_t nearest = 8;
+    std::vector<Vec3> places = positions;
+    const std::size_t tried = std::min(nearest, places.size());
+    for (int k = 0; k < looks; ++k) {
+        const SurveyRay ray(element, k);
+        const Hit hit = visibility.nearest(ray.origin, element.quad, ray.direction);
+        ++rays;
+        if (!hit) continue;
+        const Vec3 met = ray.origin + hit.distance * ray.direction;
+        std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(tried),
+                          places.end(), [&](const Vec3& a, const Vec3& b) {
+                              return (a - met).squaredNorm() < (b - met).squaredNorm();
+                          });
+        rays += tried;
+        const Vec3& front = normals[static_cast<std::size_t>(hit.quad)];
+        for (std::size_t p = 0; p < tried; ++p)
+            if ((front.dot(places[p] - met) > 0) == hit.front &&
+                !visibility.occluded(met, hit.quad, places[p], free_point))
+                return true;
+    }
     return false;
 }
 
@@ -50,25 +99,27 @@ std::uint64_t drop_inside_of_solids(const std::vector<Vec3>& positions,
                                     const Visibility& visibility, OracleCost& cost,
                                     std::vector<Element>& elements,
                                     std::vector<SideSurvey>& survey) {
-    constexpr int looks = 256;
     constexpr double mostly = 0.6;
     if (positions.empty()) return 0;
-    // Every back that some light would reach.
-    std::vector<char> back_seen(static_cast<std::size_t>(visibility.quad_count()), 0);
-    for (const Vec3& position : positions) {
-        for (int k = 0; k < looks; ++k) {
-            const Hit hit = visibility.nearest(position, free_point, spiral_direction(k, looks));
-            if (hit && !hit.front) back_seen[static_cast<std::size_t>(hit.quad)] = 1;
-        }
-    }
-    cost.rays += positions.size() * looks;
+    const std::vector<char> is_lit = lit_backs(positions, visibility, cost);
+    std::vector<Vec3> normals(is_lit.size());
+    for (const Element& element : elements)
+        normals[static_cast<std::size_t>(element.quad)] =
+            (element.front ? 1 : -1) * element.geometry.normal();
+    std::vector<char> inside(elements.size());
+    std::atomic<std::uint64_t> rays{0};
+    tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
+        std::uint64_t own_rays = 0;
+        inside[e] = !elements[e].front && survey[e].escaped == 0 && survey[e].backs >= mostly &&
+                    is_lit[static_cast<std::size_t>(elements[e].quad)] == 0 &&
+                    !sees_light(elements[e], normals, positions, visibility, own_rays);
+        rays += own_rays;
+    });
+    cost.rays += rays;
     std::vector<Element> kept;
     std::vector<SideSurvey> kept_survey;
     for (std::size_t e = 0; e < elements.size(); ++e) {
-        const bool inside = !elements[e].front && survey[e].escaped == 0 &&
-                            survey[e].backs >= mostly &&
-                            back_seen[static_cast<std::size_t>(elements[e].quad)] == 0;
-        if (inside) continue;
+        if (inside[e]) continue;
         kept.push_back(std::move(elements[e]));
         kept_survey.push_back(survey[e]);
     }

@@ -15,8 +15,9 @@ namespace lightwell {
 std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind);
 
 /// Drops the backs that lie inside solids: nothing escapes from them, most of what they meet are
-/// backs as well, and none of the places where a light can be sees them. Without light they cost
-/// links, and darken what they stand on. The survey loses the same entries.
+/// backs as well, none of the places where a light can be sees them, and they see no place that a
+/// light reaches, as they would through a gap in a wall. Without light they cost links, and darken
+/// what they stand on. The survey loses the same entries.
 ///
 /// @param positions  where lights can be
 /// @return the number of sides dropped

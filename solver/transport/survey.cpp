@@ -22,17 +22,21 @@ Eigen::Array4d lattice(int k) {
 
 }  // namespace
 
+SurveyRay::SurveyRay(const Element& element, int k) {
+    const Eigen::Array4d w = lattice(k);
+    origin = element.geometry.point(w[0], w[1]);
+    direction = local_frame(element.geometry) * direction_from_square({w[2], w[3]});
+}
+
 std::vector<SideSurvey> survey_sides(const std::vector<Element>& elements,
                                      const Visibility& visibility, int rays, OracleCost& cost) {
     std::vector<SideSurvey> result(elements.size());
     tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
         const Element& element = elements[e];
-        const Eigen::Matrix3d frame = local_frame(element.geometry);
         std::vector<double> met;
         for (int k = 0; k < rays; ++k) {
-            const Eigen::Array4d w = lattice(k);
-            const Hit hit = visibility.nearest(element.geometry.point(w[0], w[1]), element.quad,
-                                               frame * direction_from_square({w[2], w[3]}));
+            const SurveyRay ray(element, k);
+            const Hit hit = visibility.nearest(ray.origin, element.quad, ray.direction);
             if (!hit) continue;
             met.push_back(hit.distance);
             if (!hit.front) result[e].backs += 1.0 / rays;

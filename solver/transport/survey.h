@@ -16,6 +16,15 @@ struct SideSurvey {
     double distance = 0;  ///< median distance of what is met [m], 0 if nothing is
 };
 
+/// Ray k of a survey: the first n of them are spread over the side and, by the cosine, over
+/// directions.
+struct SurveyRay {
+    SurveyRay(const Element& element, int k);
+
+    Vec3 origin;
+    Vec3 direction;
+};
+
 /// Shoots `rays` cosine-distributed rays from points spread over each side. Deterministic,
 /// parallel.
 std::vector<SideSurvey> survey_sides(const std::vector<Element>& elements,

@@ -1,0 +1,57 @@
+#include "solver/transport/elements.h"
+
+#include <gtest/gtest.h>
+
+#include "radiance4d/scene/visibility.h"
+#include "tests/unit/radiance4d/rooms.h"
+
+namespace lightwell {
+namespace {
+
+/// A room of 4 x 4 x 3 m with a hollow wall across half of it, its faces turned outwards: with or
+/// without the end that closes it in the middle of the room.
+Scene room_with_wall(bool closed) {
+    std::vector<Quad> quads = box_walls({0, 0, 0}, {4, 4, 3});
+    const std::vector<Quad> block = box_walls({1.9, 0, 0}, {2.1, 2, 3});
+    for (const std::size_t face : {0U, 1U})
+        quads.push_back(block[face].reversed());
+    if (closed) quads.push_back(block[3].reversed());
+    Scene scene;
+    Material grey;
+    grey.reflectance = Rgb::Constant(0.5);
+    scene.materials.push_back(grey);
+    for (const Quad& quad : quads)
+        scene.quads.push_back({quad, 0});
+    return scene;
+}
+
+/// Elements that are left, and quads whose backs are among them.
+std::vector<int> backs_left(const Scene& scene) {
+    std::vector<Quad> quads;
+    for (const SceneQuad& one : scene.quads)
+        quads.push_back(one.quad);
+    const Visibility visibility(quads);
+    OracleCost cost;
+    std::uint64_t blind = 0;
+    std::vector<Element> elements = seeing_elements(scene, blind);
+    std::vector<SideSurvey> survey = survey_sides(elements, visibility, 256, cost);
+    // None of these looks into the wall.
+    const std::vector<Vec3> positions{{1, 1, 1.5}, {3, 1, 1.5}, {1, 3, 1.2}, {3, 3.5, 2}};
+    drop_inside_of_solids(positions, visibility, cost, elements, survey);
+    EXPECT_EQ(elements.size(), survey.size());
+    std::vector<int> backs;
+    for (const Element& element : elements)
+        if (!element.front) backs.push_back(element.quad);
+    return backs;
+}
+
+TEST(Elements, BacksInsideOfASolidAreDropped) {
+    EXPECT_EQ(backs_left(room_with_wall(true)), std::vector<int>());
+}
+
+TEST(Elements, BacksThatSeeLightThroughAGapStay) {
+    EXPECT_EQ(backs_left(room_with_wall(false)), (std::vector<int>{6, 7}));
+}
+
+}  // namespace
+}  // namespace lightwell
