@@ -25,7 +25,7 @@ Scene room_with_wall(bool closed) {
     return scene;
 }
 
-/// Elements that are left, and quads whose backs are among them.
+/// Quads whose backs are left.
 std::vector<int> backs_left(const Scene& scene) {
     std::vector<Quad> quads;
     for (const SceneQuad& one : scene.quads)
@@ -35,8 +35,8 @@ std::vector<int> backs_left(const Scene& scene) {
     std::uint64_t blind = 0;
     std::vector<Element> elements = seeing_elements(scene, blind);
     std::vector<SideSurvey> survey = survey_sides(elements, visibility, 256, cost);
-    // None of these looks into the wall.
-    const std::vector<Vec3> positions{{1, 1, 1.5}, {3, 1, 1.5}, {1, 3, 1.2}, {3, 3.5, 2}};
+    // None of these can look into the wall.
+    const std::vector<Vec3> positions{{1, 1, 1.5}, {3, 1, 1.5}, {1, 1.9, 1.2}, {3, 1.9, 2}};
     drop_inside_of_solids(positions, visibility, cost, elements, survey);
     EXPECT_EQ(elements.size(), survey.size());
     std::vector<int> backs;
