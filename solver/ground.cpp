@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "radiance4d/failure.h"
 #include "solver/reference/random_lights.h"
 #include "solver/transport/elements.h"
 #include "solver/transport/survey.h"
@@ -18,24 +17,6 @@ std::vector<Quad> quads_of(const Scene& scene) {
     return quads;
 }
 
-/// Anywhere that there is room, in rooms rather than in the open.
-std::vector<Vec3> light_positions(const Scene& scene, const Visibility& visibility, int count,
-                                  std::uint64_t seed) {
-    LightPlacement indoors;
-    indoors.surrounded = 0.6;
-    std::vector<Vec3> positions;
-    for (const LightPlacement& placement : {indoors, LightPlacement{}}) {
-        try {
-            for (const PointLight& light : random_lights(scene, visibility, count, seed, placement))
-                positions.push_back(light.position);
-            break;
-        } catch (const InputError&) {
-            positions.clear();
-        }
-    }
-    return positions;
-}
-
 }  // namespace
 
 Ground::Ground(const Scene& the_scene, OracleCost& cost)
@@ -48,9 +29,9 @@ Ground::Ground(const Scene& the_scene, OracleCost& cost)
     // Every room of a large building should see some of the lights.
     const int lights = std::clamp(static_cast<int>(elements.size()) / elements_a_light,
                                   least_expected, most_expected);
-    expected = light_positions(scene, visibility, lights, 20060626);
-    tried = light_positions(scene, visibility, trials, 1992);
-    unseen = light_positions(scene, visibility, judged, 1);
+    expected = positions_in_rooms(scene, visibility, lights, 20060626);
+    tried = positions_in_rooms(scene, visibility, trials, 1992);
+    unseen = positions_in_rooms(scene, visibility, judged, 1);
     inside_of_solids = drop_inside_of_solids(expected, visibility, cost, elements, sides);
     for (const SideSurvey& side : sides)
         closed.push_back(side.escaped == 0);

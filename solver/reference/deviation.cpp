@@ -25,6 +25,12 @@ Deviation deviation_from(const std::vector<IrradianceEstimate>& reference,
         weights += w;
     }
     Deviation result;
+    if (weights > 0) {
+        result.square = squares / weights;
+        result.mean = difference / weights;
+        result.reference_square = size / weights;
+        result.reference_mean = sum / weights;
+    }
     if (!(size > 0)) return result;
     result.relative_rms = std::sqrt(std::max(0.0, squares) / size);
     result.noise = std::sqrt(noise / size);

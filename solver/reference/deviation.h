@@ -20,6 +20,13 @@ struct Deviation {
     /// Root mean square of the reference itself over points and channels, its noise taken out [lx];
     /// 0 where it is dark, which leaves nothing to be relative to.
     double reference_rms = 0;
+
+    // The sums behind these, as means over the weight, channels added. Free of bias over repeated
+    // seeds, so that they may be averaged; a square may therefore come out below 0.
+    double square = 0;            ///< of d^2 [lx2]
+    double mean = 0;              ///< of d [lx]
+    double reference_square = 0;  ///< of E^2 [lx2]
+    double reference_mean = 0;    ///< of E [lx]
 };
 
 /// Compares irradiances [lx] point by point; both lists have the same length.

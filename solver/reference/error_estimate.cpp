@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "radiance4d/operator/light_projection.h"
+#include "radiance4d/scene/brdf.h"
 #include "solver/reference/deviation.h"
+#include "solver/reference/radiance_tracer.h"
 #include "solver/reference/sampling.h"
 
 namespace lightwell {
@@ -22,9 +25,6 @@ Rgb shown(const SurfacePoint& point, const RadianceSpace& space,
     return irradiance[static_cast<std::size_t>(number)].at(uv[0], uv[1]);
 }
 
-/// How well a point can be seen: the cosine-weighted share of the hemisphere over it that is open,
-/// or filled by sides that take part in transport. 0 inside a solid or under its foot; small in the
-/// gap behind a picture, where a picture of the room shows almost nothing.
 double visible_share(const RadianceSpace& space, const Visibility& visibility,
                      const SurfacePoint& point) {
     constexpr int looks_along = 4;
@@ -60,34 +60,65 @@ double ErrorEstimate::ninth_of_ten() const {
     return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+Scene without_emission(Scene scene) {
+    for (Material& material : scene.materials)
+        material.emission = Rgb::Zero();
+    return scene;
+}
+
+IrradianceSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
+                                 const PointLight& lamp, const std::vector<SurfacePoint>& points,
+                                 const NoiseTarget& target, const PathTracing& how) {
+    if (std::none_of(scene.materials.begin(), scene.materials.end(), is_glossy))
+        return PathTracer(scene, visibility, {lamp}).indirect_to(target, points, how);
+    PathTracing many = how;
+    many.samples = static_cast<int>(std::min(static_cast<double>(target.most_samples),
+                                             1 / (target.relative * target.relative)));
+    LightSurvey survey =
+        RadianceTracer(scene, visibility, {lamp}).indirect_irradiance(points, many);
+    return {std::move(survey.at), survey.rays,
+            std::int64_t{many.samples} * static_cast<std::int64_t>(points.size())};
+}
+
+std::vector<double> visible_shares(const RadianceSpace& space, const Visibility& visibility,
+                                   const std::vector<SurfacePoint>& points) {
+    std::vector<double> shares;
+    for (const SurfacePoint& point : points)
+        shares.push_back(visible_share(space, visibility, point));
+    return shares;
+}
+
+JudgedLight judged_light(const Scene& dark, const Visibility& visibility, const PointLight& lamp,
+                         std::vector<SurfacePoint> points, std::vector<double> weight,
+                         const NoiseTarget& target, std::uint64_t seed) {
+    PathTracing tracing;
+    tracing.samples = 64;
+    tracing.seed = seed;
+    IrradianceSurvey survey = traced_indirect(dark, visibility, lamp, points, target, tracing);
+    return {lamp, std::move(points), std::move(weight), std::move(survey.at), survey.rays};
+}
+
 std::vector<JudgedLight> judged_lights(const Scene& scene, const RadianceSpace& space,
                                        const Visibility& visibility,
                                        const std::vector<Vec3>& positions,
                                        const EstimateOptions& options, const Progress& progress) {
-    Scene dark = scene;
-    for (Material& material : dark.materials)
-        material.emission = Rgb::Zero();
+    const Scene dark = without_emission(scene);
     const std::vector<QuadSide> sides = seeing_sides(dark, visibility);
     NoiseTarget target;
     target.relative = options.noise;
     target.floor = 1;
-    PathTracing tracing;
-    tracing.samples = 64;
     std::vector<JudgedLight> judged;
     for (std::size_t k = 0; k < positions.size(); ++k) {
         progress.check();
         progress.say("estimate", static_cast<double>(k) / static_cast<double>(positions.size()));
-        JudgedLight& one = judged.emplace_back();
-        one.light.position = positions[k];
-        one.light.intensity = Rgb::Ones();
-        one.points = sample_surface(dark, sides, options.points, options.seed + k);
-        for (const SurfacePoint& point : one.points)
-            one.weight.push_back(visible_share(space, visibility, point));
-        tracing.seed = options.seed + k;
-        IrradianceSurvey survey =
-            PathTracer(dark, visibility, {one.light}).indirect_to(target, one.points, tracing);
-        one.truth = std::move(survey.at);
-        one.rays = survey.rays;
+        PointLight lamp;
+        lamp.position = positions[k];
+        lamp.intensity = Rgb::Ones();
+        std::vector<SurfacePoint> points =
+            sample_surface(dark, sides, options.points, options.seed + k);
+        std::vector<double> weight = visible_shares(space, visibility, points);
+        judged.push_back(judged_light(dark, visibility, lamp, std::move(points), std::move(weight),
+                                      target, options.seed + k));
     }
     return judged;
 }

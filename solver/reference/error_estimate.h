@@ -21,14 +21,37 @@ struct EstimateOptions {
     std::uint64_t seed = 1;
 };
 
+/// The scene with its emitting quads off.
+Scene without_emission(Scene scene);
+
 /// The indirect light of one white unit lamp in a scene, by path tracing.
 struct JudgedLight {
     PointLight light;
-    std::vector<SurfacePoint> points;       ///< spread evenly by area
-    std::vector<double> weight;             ///< by point, in [0,1]: how well it can be seen
+    std::vector<SurfacePoint> points;  ///< spread evenly by area
+    std::vector<double>
+        weight;  ///< by point: how much it counts, as a rule how well it can be seen
     std::vector<IrradianceEstimate> truth;  ///< by point
     std::int64_t rays = 0;                  ///< traced to know
 };
+
+/// How well points can be seen, in [0,1]: the cosine-weighted share of the hemisphere over each
+/// that is open, or filled by sides that take part in transport. 0 inside a solid or under its
+/// foot; small in the gap behind a picture, where a picture of the room shows almost nothing.
+std::vector<double> visible_shares(const RadianceSpace& space, const Visibility& visibility,
+                                   const std::vector<SurfacePoint>& points);
+
+/// Indirect irradiance at surface points by path tracing, whatever the materials. Where one is
+/// glossy, every point gets as many paths as suffice for the noisiest of diffuse ones, since the
+/// tracer of such scenes knows no target.
+IrradianceSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
+                                 const PointLight& lamp, const std::vector<SurfacePoint>& points,
+                                 const NoiseTarget& target, const PathTracing& how);
+
+/// Judges a scene without emission for one lamp at given points.
+/// @param weight  of the points
+JudgedLight judged_light(const Scene& dark, const Visibility& visibility, const PointLight& lamp,
+                         std::vector<SurfacePoint> points, std::vector<double> weight,
+                         const NoiseTarget& target, std::uint64_t seed);
 
 /// Judges the scene for white unit lights at the given positions, one at a time, emitters off. What
 /// is said holds for every operator of the scene.

@@ -64,9 +64,18 @@ IrradianceSurvey PathTracer::total(const std::vector<SurfacePoint>& points,
                                    const PathTracing& how) const {
     IrradianceSurvey result = survey(points, LightAsked::without_lamps,
                                      std::vector<int>(points.size(), how.samples), how);
+    const std::vector<Rgb> straight = straight_from_lamps(points, result.rays);
     for (std::size_t p = 0; p < points.size(); ++p)
-        result.at[p].mean += walk_.straight_from_lamps(points[p], result.rays);
+        result.at[p].mean += straight[p];
     return result;
+}
+
+std::vector<Rgb> PathTracer::straight_from_lamps(const std::vector<SurfacePoint>& points,
+                                                 std::int64_t& rays) const {
+    std::vector<Rgb> straight;
+    for (const SurfacePoint& point : points)
+        straight.push_back(walk_.straight_from_lamps(point, rays));
+    return straight;
 }
 
 IrradianceSurvey PathTracer::indirect_to(const NoiseTarget& target,

@@ -66,6 +66,10 @@ class PathTracer {
     IrradianceSurvey total(const std::vector<SurfacePoint>& points,
                            const PathTracing& how = {}) const;
 
+    /// What arrives straight from lamps, exact.
+    std::vector<Rgb> straight_from_lamps(const std::vector<SurfacePoint>& points,
+                                         std::int64_t& rays) const;
+
     /// Indirect irradiance to a given noise. A trial run with how.samples paths tells how many each
     /// point needs; a fresh run, whose length its own outcome cannot influence, is the answer. rays
     /// and paths count both runs.

@@ -120,4 +120,21 @@ std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visi
     return lights;
 }
 
+std::vector<Vec3> positions_in_rooms(const Scene& scene, const Visibility& visibility, int count,
+                                     std::uint64_t seed) {
+    LightPlacement indoors;
+    indoors.surrounded = 0.6;
+    std::vector<Vec3> positions;
+    for (const LightPlacement& placement : {indoors, LightPlacement{}}) {
+        try {
+            for (const PointLight& light : random_lights(scene, visibility, count, seed, placement))
+                positions.push_back(light.position);
+            break;
+        } catch (const InputError&) {
+            positions.clear();
+        }
+    }
+    return positions;
+}
+
 }  // namespace lightwell

@@ -33,6 +33,11 @@ struct LightPlacement {
 std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visibility, int count,
                                       std::uint64_t seed, const LightPlacement& placement = {});
 
+/// `count` such positions in rooms rather than in the open, or, where there is no room, anywhere
+/// that the default placement allows; none in a scene without either, a single quad for example.
+std::vector<Vec3> positions_in_rooms(const Scene& scene, const Visibility& visibility, int count,
+                                     std::uint64_t seed);
+
 /// Shortest distance from a point to a convex planar quad [m].
 double distance_to(const Quad& quad, const Vec3& point);
 

@@ -1,6 +1,7 @@
 #include "viewer/commands/command_line.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "viewer/commands/precompute_command.h"
 #include "viewer/commands/render_command.h"
 #include "viewer/commands/stop_signal.h"
+#include "viewer/commands/verify_command.h"
 
 namespace lightwell {
 
@@ -35,6 +37,7 @@ struct Requests {
     InfoRequest info;
     MeasureRequest measure;
     RenderRequest render;
+    VerifyRequest verify;
     std::optional<int> threads;
 };
 
@@ -191,6 +194,31 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
     return command;
 }
 
+CLI::App* add_verify(CLI::App& app, Requests& requests) {
+    VerifyRequest& request = requests.verify;
+    CLI::App* command = app.add_subcommand(
+        "verify", "measure the error of a .gto file afresh, with path tracing as the judge");
+    command->add_option("FILE", request.operator_file, "the .gto file")->type_name("")->required();
+    add_value(*command, "--lights", "N", "lamps to judge, anywhere in the rooms; 40 by default",
+              [&request](const std::string& text) {
+                  request.options.lights = whole_argument("--lights", text, 4, 100'000);
+              });
+    add_value(*command, "--points", "N", "surface points to judge for each lamp; 64 by default",
+              [&request](const std::string& text) {
+                  request.options.points = whole_argument("--points", text, 1, 1'000'000);
+              });
+    add_value(*command, "--seed", "S", "of lamps, points and paths; 1 by default",
+              [&request](const std::string& text) {
+                  request.options.seed = static_cast<std::uint64_t>(
+                      whole_argument("--seed", text, 0, std::numeric_limits<int>::max()));
+              });
+    command->add_flag("--json", request.json, "print one JSON object");
+    command->add_flag_callback(
+        "--no-progress", [&request] { request.progress = false; }, "show no progress");
+    add_threads(*command, requests);
+    return command;
+}
+
 /// Refuses a first word that is no command, with a better message than CLI11 has.
 void require_known_command(int argc, const char* const* argv, const CLI::App& app) {
     std::vector<std::string> names;
@@ -222,7 +250,8 @@ void run(int argc, const char* const* argv) {
         {add_precompute(app, requests), [&requests] { run_precompute(requests.precompute); }},
         {add_info(app, requests), [&requests] { run_info(requests.info); }},
         {add_measure(app, requests), [&requests] { run_measure(requests.measure); }},
-        {add_render(app, requests), [&requests] { run_render(requests.render); }}};
+        {add_render(app, requests), [&requests] { run_render(requests.render); }},
+        {add_verify(app, requests), [&requests] { run_verify(requests.verify); }}};
     require_known_command(argc, argv, app);
     try {
         app.parse(argc, argv);

@@ -53,14 +53,6 @@ std::vector<Sensor> chosen_sensors(const MeasureRequest& request, const Scene& s
             : fmt::format("--sensors FILE.csv or --grid NAME is needed; grids: {}", there));
 }
 
-/// Directions along either side of the gather's hemisphere. The gather's own error must be small
-/// beside the operator's: 64 up to 2 %, fewer for a coarser operator, 32 from 8 % on.
-int gather_strata(double error) {
-    constexpr double finest = 0.02, coarsest = 0.08;
-    return static_cast<int>(
-        std::lround(64 * std::sqrt(finest / std::clamp(error, finest, coarsest))));
-}
-
 /// Indirect illuminance as the basis shows it.
 Rgb basis_irradiance(const RadianceSpace& space, const std::vector<SmoothSurface>& surfaces,
                      const SensorStand& stand) {
@@ -116,6 +108,12 @@ std::vector<Reading> readings(const OpenedOperator& opened, const std::vector<Li
 }
 
 }  // namespace
+
+int gather_strata(double error) {
+    constexpr double finest = 0.02, coarsest = 0.08;
+    return static_cast<int>(
+        std::lround(64 * std::sqrt(finest / std::clamp(error, finest, coarsest))));
+}
 
 void run_measure(const MeasureRequest& request) {
     if (!request.output.empty()) require_writable(request.output);

@@ -15,6 +15,12 @@ struct MeasureRequest {
     bool gather = true;  ///< a final gather at each sensor, or the smoothed basis as it is
 };
 
+/// Directions along either side of the hemisphere that a sensor gathers from. The gather's own
+/// error must be small beside the operator's: 64 up to 2 %, fewer for a coarser operator, 32 from 8
+/// % on.
+/// @param error  relative, that the operator was computed for
+int gather_strata(double error);
+
 /// Prints the illuminance at each sensor as CSV with the header
 ///     x,y,z,nx,ny,nz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,lux
 /// in the order of the sensors; normals are of unit length, light in lx.

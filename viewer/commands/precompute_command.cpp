@@ -15,7 +15,6 @@
 #include "viewer/commands/precompute_report.h"
 #include "viewer/commands/progress_line.h"
 #include "viewer/commands/scene_argument.h"
-#include "viewer/commands/stop_signal.h"
 
 namespace lightwell {
 
@@ -65,14 +64,8 @@ void warn_of_gloss(const Scene& scene) {
 GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
                         PrecomputeReport& report) {
     std::optional<ProgressLine> line;
-    Progress progress;
-    progress.stop_requested = stop_requested;
-    if (request.progress && !request.quiet && ProgressLine::fits_standard_error()) {
-        line.emplace();
-        progress.report = [&line](const std::string& stage, double share) {
-            line->show(stage, share);
-        };
-    }
+    const Progress progress =
+        progress_on(line, request.progress && !request.quiet, share_of_precomputation);
     GlobalTransport transport = precompute(scene, request.options, progress, report);
     progress.check();
     return transport;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "viewer/commands/stop_signal.h"
 
 namespace lightwell {
 
@@ -23,7 +26,7 @@ constexpr StageSpan stages[] = {{"elements", 0, 0.02},  {"links", 0.02, 0.35},
 
 }  // namespace
 
-ProgressLine::ProgressLine() = default;
+ProgressLine::ProgressLine(ShareOfWork share_of_work) : share_of_work_(std::move(share_of_work)) {}
 
 ProgressLine::~ProgressLine() {
     if (is_shown_) fmt::print(stderr, "\r\x1b[K");
@@ -36,7 +39,7 @@ void ProgressLine::show(const std::string& stage, double share) {
     if (is_shown_ && now - last_shown_ < pause) return;
     last_shown_ = now;
     is_shown_ = true;
-    const double done = share_of_precomputation(stage, share);
+    const double done = share_of_work_(stage, share);
     const double passed = std::chrono::duration<double>(now - start_).count();
     // An estimate from too little work would only confuse.
     const std::string remaining =
@@ -47,6 +50,19 @@ void ProgressLine::show(const std::string& stage, double share) {
 
 bool ProgressLine::fits_standard_error() {
     return isatty(STDERR_FILENO) == 1;
+}
+
+Progress progress_on(std::optional<ProgressLine>& line, bool wanted,
+                     ProgressLine::ShareOfWork share_of_work) {
+    Progress progress;
+    progress.stop_requested = stop_requested;
+    if (wanted && ProgressLine::fits_standard_error()) {
+        line.emplace(std::move(share_of_work));
+        progress.report = [&line](const std::string& stage, double share) {
+            line->show(stage, share);
+        };
+    }
+    return progress;
 }
 
 double share_of_precomputation(const std::string& stage, double share) {

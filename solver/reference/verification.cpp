@@ -1,0 +1,262 @@
+#include "solver/reference/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "radiance4d/failure.h"
+#include "radiance4d/scene/direct_light.h"
+#include "solver/reference/deviation.h"
+#include "solver/reference/error_estimate.h"
+#include "solver/reference/random_lights.h"
+#include "solver/reference/random_stream.h"
+
+namespace lightwell {
+
+namespace {
+
+enum Stream : std::uint64_t { lamp_stream = 1, judge_stream, worst_stream };
+
+std::vector<Rgb> with(std::vector<Rgb> values, const std::vector<Rgb>& more) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] += more[k];
+    return values;
+}
+
+std::vector<IrradianceEstimate> with(std::vector<IrradianceEstimate> estimates,
+                                     const std::vector<Rgb>& more) {
+    for (std::size_t k = 0; k < estimates.size(); ++k)
+        estimates[k].mean += more[k];
+    return estimates;
+}
+
+/// Evenly spread points of one lamp, what the first way shows there, and how well they can be seen.
+struct Candidates {
+    std::vector<SurfacePoint> points;
+    ShownPoints shown;
+
+    /// How much oftener than by area and visibility each point is to be chosen.
+    std::vector<double> preference() const {
+        double mean = 0, weights = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            mean += shown.weight[i] * shown.value[i].square().sum();
+            weights += shown.weight[i];
+        }
+        if (weights > 0) mean /= weights;
+        std::vector<double> preferences;
+        for (const Rgb& value : shown.value)
+            preferences.push_back(mean > 0 ? 0.5 + 0.5 * value.square().sum() / mean : 1);
+        return preferences;
+    }
+};
+
+/// `count` numbers, each with a chance proportional to its weight: systematic sampling, so that
+/// what is spread evenly stays so.
+std::vector<std::size_t> chosen(const std::vector<double>& weight, int count, double offset) {
+    double all = 0;
+    for (const double one : weight)
+        all += one;
+    std::vector<std::size_t> numbers;
+    if (!(all > 0)) return numbers;
+    double covered = 0;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        covered += weight[i];
+        while (numbers.size() < static_cast<std::size_t>(count) && weight[i] > 0 &&
+               (static_cast<double>(numbers.size()) + offset) * all < covered * count)
+            numbers.push_back(i);
+    }
+    return numbers;
+}
+
+/// The place of largest error so far.
+struct WorstSoFar {
+    /// For a lamp of 1 cd, less the judge's noise [lx].
+    double error = -std::numeric_limits<double>::infinity();
+    SurfacePoint point;
+    PointLight lamp;
+};
+
+/// What is kept of one way to show light.
+struct WayErrors {
+    ErrorCollection indirect, total;
+    WorstSoFar worst;
+
+    void look_for_worst(const JudgedLight& judged, const std::vector<double>& visible,
+                        const std::vector<Rgb>& shown) {
+        constexpr double seen_well = 0.5;  // a place that hardly anybody sees is not the worst
+        for (std::size_t k = 0; k < shown.size(); ++k) {
+            if (visible[k] < seen_well) continue;
+            const IrradianceEstimate& truth = judged.truth[k];
+            const double error =
+                std::abs(luminance(Rgb(shown[k] - truth.mean))) - luminance(truth.standard_error);
+            if (error > worst.error) worst = {error, judged.points[k], judged.light};
+        }
+    }
+};
+
+/// Verifies lamp by lamp.
+class Verifier {
+  public:
+    Verifier(const Scene& scene, const RadianceSpace& space, const Visibility& visibility,
+             const OccluderTree& occluders, const std::vector<ShownLight>& ways,
+             const VerifyOptions& options)
+        : scene_(without_emission(scene)),
+          space_(space),
+          visibility_(visibility),
+          direct_(scene_, visibility, occluders),
+          ways_(ways),
+          options_(options),
+          errors_(ways.size()) {}
+
+    Verification run(const Progress& progress) {
+        const std::vector<Vec3> positions = lamp_positions();
+        if (positions.empty())
+            throw InputError(scene_.geometry_file +
+                             ": no room for a lamp, so there is nothing to verify");
+        const std::vector<QuadSide> sides = seeing_sides(scene_, visibility_);
+        for (std::size_t k = 0; k < positions.size(); ++k) {
+            progress.check();
+            progress.say("verify", static_cast<double>(k) / static_cast<double>(positions.size()));
+            RandomStream random(seed_of(judge_stream), k);
+            PointLight lamp;
+            lamp.position = positions[k];
+            lamp.intensity = Rgb::Ones();
+            Candidates candidates;
+            candidates.points = sample_surface(scene_, sides, options_.candidates, random.bits());
+            candidates.shown = {ways_.front().at(lamp, candidates.points),
+                                visible_shares(space_, visibility_, candidates.points)};
+            judge(lamp, candidates, random);
+        }
+        if (result_.lights < 2)
+            throw InputError(scene_.geometry_file + ": nothing in it reflects light");
+        conclude();
+        return result_;
+    }
+
+  private:
+    std::uint64_t seed_of(Stream stream) const {
+        return RandomStream(options_.seed, stream).bits();
+    }
+
+    /// In groups, because telling rooms apart takes time in the square of the lamps.
+    std::vector<Vec3> lamp_positions() const {
+        constexpr int group = 64;
+        std::vector<Vec3> positions;
+        for (int first = 0; first < options_.lights; first += group) {
+            const std::vector<Vec3> more = positions_in_rooms(
+                scene_, visibility_, std::min(group, options_.lights - first),
+                RandomStream(seed_of(lamp_stream), static_cast<std::uint64_t>(first)).bits());
+            positions.insert(positions.end(), more.begin(), more.end());
+        }
+        return positions;
+    }
+
+    std::vector<Rgb> direct_at(const PointLight& lamp,
+                               const std::vector<SurfacePoint>& points) const {
+        std::vector<Rgb> values;
+        for (const SurfacePoint& p : points)
+            values.push_back(direct_.from_light(p.position, p.normal, p.quad, lamp));
+        return values;
+    }
+
+    void judge(const PointLight& lamp, const Candidates& candidates, RandomStream& random) {
+        const std::vector<double> preference = candidates.preference();
+        std::vector<double> chance = candidates.shown.weight;
+        for (std::size_t i = 0; i < chance.size(); ++i)
+            chance[i] *= preference[i];
+        std::vector<SurfacePoint> points;
+        std::vector<double> visible;
+        ShownPoints shown;
+        for (const std::size_t i : chosen(chance, options_.points, random.uniform())) {
+            points.push_back(candidates.points[i]);
+            visible.push_back(candidates.shown.weight[i]);
+            shown.value.push_back(candidates.shown.value[i]);
+            shown.weight.push_back(1 / preference[i]);
+        }
+        NoiseTarget target;
+        target.relative = options_.noise;
+        target.floor = 0.5;  // bright places are chosen oftener than dark ones
+        const JudgedLight judged = judged_light(scene_, visibility_, lamp, std::move(points),
+                                                shown.weight, target, random.bits());
+        result_.rays += judged.rays;
+        compare(judged, visible, shown, candidates);
+    }
+
+    void compare(const JudgedLight& judged, const std::vector<double>& visible, ShownPoints shown,
+                 const Candidates& candidates) {
+        const PointLight& lamp = judged.light;
+        const LightMeasure indirect = measure_of(judged.truth, shown, candidates.shown);
+        if (!(indirect.square > 0 && indirect.mean > 0)) return;
+        const std::vector<Rgb> direct = direct_at(lamp, judged.points);
+        const std::vector<IrradianceEstimate> truth =
+            with(judged.truth, PathTracer(scene_, visibility_, {lamp})
+                                   .straight_from_lamps(judged.points, result_.rays));
+        const LightMeasure total =
+            measure_of(truth, {with(shown.value, direct), shown.weight},
+                       {with(candidates.shown.value, direct_at(lamp, candidates.points)),
+                        candidates.shown.weight});
+        noise_ += std::pow(deviation_from(judged.truth, shown.value, shown.weight).noise, 2);
+        for (std::size_t w = 0; w < ways_.size(); ++w) {
+            if (w > 0) shown.value = ways_[w].at(lamp, judged.points);
+            errors_[w].indirect.add(judged.truth, shown, indirect);
+            errors_[w].total.add(truth, {with(shown.value, direct), shown.weight}, total);
+            errors_[w].look_for_worst(judged, visible, shown.value);
+        }
+        result_.places += static_cast<int>(judged.points.size());
+        ++result_.lights;
+    }
+
+    void conclude() {
+        result_.noise = std::sqrt(noise_ / result_.lights);
+        for (std::size_t w = 0; w < ways_.size(); ++w) {
+            ShownError& one = result_.shown.emplace_back();
+            one.name = ways_[w].name;
+            one.indirect = errors_[w].indirect.size();
+            one.total = errors_[w].total.size();
+            one.squares = errors_[w].indirect.squares();
+            if (std::isfinite(errors_[w].worst.error))
+                one.worst = judged_again(ways_[w], errors_[w].worst);
+        }
+    }
+
+    WorstPlace judged_again(const ShownLight& way, const WorstSoFar& found) {
+        NoiseTarget target;
+        target.floor = 0;
+        target.most_samples = 1 << 16;
+        PathTracing tracing;
+        tracing.seed = seed_of(worst_stream);
+        const std::vector<SurfacePoint> place{found.point};
+        const IrradianceSurvey fresh =
+            traced_indirect(scene_, visibility_, found.lamp, place, target, tracing);
+        result_.rays += fresh.rays;
+        WorstPlace worst;
+        worst.point = found.point;
+        worst.lamp = found.lamp.position;
+        worst.shown = lux_of_unit_lamp * luminance(way.at(found.lamp, place).front());
+        worst.judged = lux_of_unit_lamp * luminance(fresh.at.front().mean);
+        worst.noise = lux_of_unit_lamp * luminance(fresh.at.front().standard_error);
+        return worst;
+    }
+
+    const Scene scene_;
+    const RadianceSpace& space_;
+    const Visibility& visibility_;
+    const DirectLight direct_;
+    const std::vector<ShownLight>& ways_;
+    const VerifyOptions& options_;
+    std::vector<WayErrors> errors_;  // by way
+    double noise_ = 0;               // squares, summed over lamps
+    Verification result_;
+};
+
+}  // namespace
+
+Verification verify(const Scene& scene, const RadianceSpace& space, const Visibility& visibility,
+                    const OccluderTree& occluders, const std::vector<ShownLight>& ways,
+                    const VerifyOptions& options, const Progress& progress) {
+    LIGHTWELL_CHECK(!ways.empty());
+    return Verifier(scene, space, visibility, occluders, ways, options).run(progress);
+}
+
+}  // namespace lightwell
