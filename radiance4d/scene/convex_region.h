@@ -23,6 +23,9 @@ class ConvexRegion {
     }
 
     const Eigen::AlignedBox3d& box() const { return box_; }
+    /// The planes that it was cut by.
+    int planes() const { return count_; }
+    const Plane& plane(int k) const { return planes_[static_cast<std::size_t>(k)]; }
 
     /// Whether the quad lies on or outside one side of the box or one plane. Conservative: false
     /// may be wrong, true is not.

@@ -16,6 +16,19 @@ namespace lightwell {
 
 namespace {
 
+/// Axes that turn with the scene: along the sides of its largest quad, the first of those as large.
+Eigen::Matrix3d own_axes(const Scene& scene) {
+    constexpr double as_large = 1 - 1e-6;
+    double largest = 0;
+    for (const SceneQuad& one : scene.quads)
+        largest = std::max(largest, one.quad.area());
+    const auto found =
+        std::find_if(scene.quads.begin(), scene.quads.end(),
+                     [&](const SceneQuad& one) { return one.quad.area() >= as_large * largest; });
+    if (found == scene.quads.end()) return Eigen::Matrix3d::Identity();
+    return local_frame(found->quad);
+}
+
 bool clear_of_surfaces(const Scene& scene, const Vec3& position, double clearance) {
     return std::all_of(scene.quads.begin(), scene.quads.end(), [&](const SceneQuad& one) {
         return distance_to(one.quad, position) >= clearance;
@@ -23,11 +36,11 @@ bool clear_of_surfaces(const Scene& scene, const Vec3& position, double clearanc
 }
 
 bool among_reflecting_sides(const Scene& scene, const Visibility& visibility, const Vec3& position,
-                            const LightPlacement& placement) {
+                            const Eigen::Matrix3d& axes, const LightPlacement& placement) {
     int reflecting = 0, black_backs = 0;
     for (int k = 0; k < placement.directions; ++k) {
-        const Hit hit =
-            visibility.nearest(position, free_point, spiral_direction(k, placement.directions));
+        const Hit hit = visibility.nearest(position, free_point,
+                                           axes * spiral_direction(k, placement.directions));
         if (!hit) continue;
         const Material& material = scene.material_of(hit.quad);
         if (reflects(material) && (hit.front || material.reflecting == Sides::both)) ++reflecting;
@@ -80,10 +93,11 @@ double distance_to(const Quad& quad, const Vec3& point) {
 
 std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visibility, int count,
                                       std::uint64_t seed, const LightPlacement& placement) {
-    Eigen::AlignedBox3d box;
+    const Eigen::Matrix3d axes = own_axes(scene);
+    Eigen::AlignedBox3d box;  // along these axes
     for (const SceneQuad& one : scene.quads)
         for (const Vec3& corner : one.quad.vertex)
-            box.extend(corner);
+            box.extend(axes.transpose() * corner);
 
     const int wanted = std::max(placement.candidates, 8 * count);
     const double clearance =
@@ -97,9 +111,9 @@ std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visi
         const double x = random.uniform();
         const double y = random.uniform();
         const double z = random.uniform();
-        const Vec3 position = box.min() + box.sizes().cwiseProduct(Vec3(x, y, z));
+        const Vec3 position = axes * (box.min() + box.sizes().cwiseProduct(Vec3(x, y, z)));
         if (clear_of_surfaces(scene, position, clearance) &&
-            among_reflecting_sides(scene, visibility, position, placement))
+            among_reflecting_sides(scene, visibility, position, axes, placement))
             positions.push_back(position);
     }
     const std::vector<int> space = spaces_of(positions, visibility);

@@ -28,7 +28,8 @@ struct LightPlacement {
 };
 
 /// `count` isotropic lights of intensity (1,1,1) cd, uniform over the volume that the placement
-/// allows within the bounding box; the same for the same seed.
+/// allows within the bounding box along the sides of the largest quad; the same for the same seed.
+/// They turn and move with the scene.
 /// @throws InputError if the scene has no such volume (or less than about 1/200 of its box).
 std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visibility, int count,
                                       std::uint64_t seed, const LightPlacement& placement = {});

@@ -34,6 +34,12 @@ Eigen::ArrayXd mean_indirect(const SymmetricOperator& mean_bounce,
     return indirect;
 }
 
+/// The nearest power of two of a share of the scene: neither the scale of a scene nor the rounding
+/// of areas that are such powers decides.
+int size_class_of(double share) {
+    return static_cast<int>(std::lround(std::log2(share)));
+}
+
 /// No function is expected to stay dark: a light may come to stand where none of the ensemble did.
 /// Raises every weight to a share of the root mean square over the functions of like support.
 void raise_to_floor(const RadianceSpace& space, Eigen::ArrayXd& weight) {
@@ -44,7 +50,7 @@ void raise_to_floor(const RadianceSpace& space, Eigen::ArrayXd& weight) {
         const CellTree& tree = element.space.tree();
         for (std::uint32_t f = 0; f < tree.functions(); ++f) {
             const auto j = element.first + f;
-            size_class[j] = std::ilogb(element.space.area(tree.support(f)));
+            size_class[j] = size_class_of(element.space.area(tree.support(f)) / space.area());
             auto& [squares, count] = squares_and_count[size_class[j]];
             squares += weight[j] * weight[j];
             count += 1;

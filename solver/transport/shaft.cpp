@@ -52,6 +52,9 @@ Shaft::Shaft(const Facet& x, const Facet& y) : x_(x), y_(y), region_(bounds_of(x
                 const double d = n.dot(start);
                 double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
                 extent(a, n, lowest, highest);
+                // The facet's own plane, met again by way of a vertex in it, is no side of the
+                // hull.
+                if (lowest >= d - tolerance_ && highest <= d + tolerance_) continue;
                 extent(b, n, lowest, highest);
                 const bool below = highest <= d + tolerance_, above = lowest >= d - tolerance_;
                 if ((!below && !above) || sides == ConvexRegion::capacity) continue;
@@ -74,7 +77,15 @@ bool Shaft::may_be_cut_by(const Quad& quad) const {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     extent(x_, n, lowest, highest);
     extent(y_, n, lowest, highest);
-    return lowest < d - tolerance_ && highest > d + tolerance_;
+    if (!(lowest < d - tolerance_ && highest > d + tolerance_)) return false;
+    // What is left of it inside. A quad that only touches the shaft is in nobody's way, however its
+    // corners were rounded.
+    ConvexPolygon inside(quad);
+    for (int k = 0; k < region_.planes() && inside.size() < ConvexPolygon::capacity; ++k) {
+        inside = clipped(inside, region_.plane(k), tolerance_);
+        if (inside.empty()) return false;
+    }
+    return true;
 }
 
 bool Shaft::is_covered_by(const Quad& quad) const {

@@ -1,5 +1,6 @@
 #include "solver/reference/random_lights.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "tests/unit/reference/rooms.h"
@@ -87,6 +88,20 @@ TEST(RandomLights, LightBothOfTwoClosedRooms) {
         if (light.position[0] < 2) ++left;
     EXPECT_GT(left, 10);
     EXPECT_LT(left, 40);
+}
+
+TEST(RandomLights, TurnAndMoveWithTheScene) {
+    const Eigen::Affine3d by =
+        Eigen::Translation3d(100, -20, 7) * Eigen::AngleAxisd(0.65, Vec3(1, 2, 3).normalized());
+    const Scene scene = box_scene({3, 2, 2.5}, grey());
+    Scene moved = scene;
+    for (SceneQuad& q : moved.quads)
+        for (Vec3& v : q.quad.vertex)
+            v = by * v;
+    const std::vector<PointLight> here = random_lights(scene, visibility_of(scene), 50, 1);
+    const std::vector<PointLight> there = random_lights(moved, visibility_of(moved), 50, 1);
+    for (std::size_t k = 0; k < here.size(); ++k)
+        EXPECT_LT((by * here[k].position - there[k].position).norm(), 1e-9);
 }
 
 TEST(RandomLights, ASceneWithoutRoomIsAnError) {

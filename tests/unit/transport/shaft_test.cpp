@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/basis/samples.h"
+#include "tests/unit/radiance4d/rooms.h"
 
 namespace lightwell {
 namespace {
@@ -111,6 +112,30 @@ TEST(Shaft, FindsTheQuadBetweenAndNotTheOneBeside) {
     // Behind one of the two, or in its plane: beside every ray.
     EXPECT_FALSE(shaft.may_be_cut_by(square(-0.5, 3, 0)));
     EXPECT_FALSE(shaft.may_be_cut_by(square(2, 3, 0)));
+}
+
+// A cell of a wall and one of the floor, and a block whose edge the shaft between them touches:
+// no rounding may make the block stand in the way.
+TEST(Shaft, AQuadThatOnlyTouchesIsInNobodysWayHoweverAllIsTurned) {
+    const Quad wall{{Vec3(0, 0, 0), Vec3(0, 0.375, 0), Vec3(0, 0.375, 0.5), Vec3(0, 0, 0.5)}};
+    const Quad floor{{Vec3(0.5, 2.25, 0), Vec3(1, 2.25, 0), Vec3(1, 3, 0), Vec3(0.5, 3, 0)}};
+    const double edge = 4.0 / 9;  // of the shaft, at y = 1
+    const Quad side{{Vec3(edge, 1, 0), Vec3(2, 1, 0), Vec3(2, 1, 1), Vec3(edge, 1, 1)}};
+    for (const double degrees : {0.0, 37.0, 45.0, 111.0}) {
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(degrees * M_PI / 180, Vec3(1, 2, 3).normalized()).matrix();
+        const Vec3 shift = degrees == 0 ? Vec3(0, 0, 0) : Vec3(1000, -1000, 500);
+        const auto facet = [&](const Quad& quad) {
+            const Quad there = placed(quad, turn, shift);
+            return Facet::of(there, there.normal());
+        };
+        const Shaft shaft(facet(wall), facet(floor));
+        EXPECT_FALSE(shaft.may_be_cut_by(placed(side, turn, shift))) << degrees;
+        Quad nearer = side;
+        for (Vec3& corner : nearer.vertex)
+            corner[0] -= 0.01;
+        EXPECT_TRUE(shaft.may_be_cut_by(placed(nearer, turn, shift))) << degrees;
+    }
 }
 
 // A wall between two rooms, and cells of either room that touch it or its edges: no chance and no
