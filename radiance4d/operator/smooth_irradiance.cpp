@@ -77,12 +77,16 @@ std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
                                              const RadianceField& field) {
     std::vector<SmoothSurface> surfaces;
     surfaces.reserve(space.elements().size());
-    for (std::size_t e = 0; e < space.elements().size(); ++e) {
-        RadianceField means = cell_irradiance(space, e, field);
-        if (!space.element(e).open.empty()) BuriedCells(space.element(e), means).fill();
-        surfaces.emplace_back(space.element(e).space.tree(), means);
-    }
+    for (std::size_t e = 0; e < space.elements().size(); ++e)
+        surfaces.push_back(smooth_irradiance(space, e, field));
     return surfaces;
+}
+
+SmoothSurface smooth_irradiance(const RadianceSpace& space, std::size_t element,
+                                const RadianceField& field) {
+    RadianceField means = cell_irradiance(space, element, field);
+    if (!space.element(element).open.empty()) BuriedCells(space.element(element), means).fill();
+    return {space.element(element).space.tree(), means};
 }
 
 }  // namespace lightwell

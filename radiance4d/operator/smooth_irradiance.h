@@ -11,5 +11,8 @@ namespace lightwell {
 /// carry on what is around them.
 std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
                                              const RadianceField& field);
+/// The same over one element.
+SmoothSurface smooth_irradiance(const RadianceSpace& space, std::size_t element,
+                                const RadianceField& field);
 
 }  // namespace lightwell

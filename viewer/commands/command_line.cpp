@@ -3,9 +3,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <new>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -16,6 +14,7 @@
 #include "radiance4d/failure.h"
 #include "solver/reading/input_file.h"
 #include "viewer/commands/arguments.h"
+#include "viewer/commands/exit_status.h"
 #include "viewer/commands/info_command.h"
 #include "viewer/commands/measure_command.h"
 #include "viewer/commands/output.h"
@@ -23,6 +22,7 @@
 #include "viewer/commands/render_command.h"
 #include "viewer/commands/stop_signal.h"
 #include "viewer/commands/verify_command.h"
+#include "viewer/commands/view_command.h"
 
 namespace lightwell {
 
@@ -219,6 +219,15 @@ CLI::App* add_verify(CLI::App& app, Requests& requests) {
     return command;
 }
 
+/// The window's program reads what follows, --help included.
+CLI::App* add_view(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("view", "walk through a scene in a window and move its lamps");
+    command->set_help_flag();
+    command->prefix_command();
+    return command;
+}
+
 /// Refuses a first word that is no command, with a better message than CLI11 has.
 void require_known_command(int argc, const char* const* argv, const CLI::App& app) {
     std::vector<std::string> names;
@@ -252,6 +261,7 @@ void run(int argc, const char* const* argv) {
         {add_measure(app, requests), [&requests] { run_measure(requests.measure); }},
         {add_render(app, requests), [&requests] { run_render(requests.render); }},
         {add_verify(app, requests), [&requests] { run_verify(requests.verify); }}};
+    const CLI::App* view = add_view(app);
     require_known_command(argc, argv, app);
     try {
         app.parse(argc, argv);
@@ -266,6 +276,7 @@ void run(int argc, const char* const* argv) {
             fmt::format("{}; see lightwell {} --help", error.what(), std::string(argv[1])));
     }
 
+    if (view->parsed()) run_view(view->remaining());
     std::optional<tbb::global_control> limit;
     if (requests.threads)
         limit.emplace(tbb::global_control::max_allowed_parallelism,
@@ -277,27 +288,8 @@ void run(int argc, const char* const* argv) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
-    constexpr int success = 0, input_error = 1, system_error = 2, interrupted = 3;
     heed_stop_signals();
-    try {
-        run(argc, argv);
-        return success;
-    } catch (const InputError& error) {
-        print_message(error.what());
-        return input_error;
-    } catch (const Interrupted& error) {
-        print_message(error.what());
-        return interrupted;
-    } catch (const SystemError& error) {
-        print_message(error.what());
-    } catch (const std::system_error& error) {
-        print_message(error.what());
-    } catch (const std::bad_alloc&) {
-        print_message("the memory of this machine does not suffice");
-    } catch (const std::exception& error) {
-        print_message(std::string("this is a mistake of the program itself: ") + error.what());
-    }
-    return system_error;
+    return exit_status_of([&] { run(argc, argv); });
 }
 
 }  // namespace lightwell

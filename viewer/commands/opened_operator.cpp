@@ -7,8 +7,7 @@
 
 namespace lightwell {
 
-OpenedOperator open_operator(const std::string& path) {
-    GlobalTransport transport = read_operator_file(path);
+OpenedOperator opened(GlobalTransport transport) {
     std::vector<Quad> quads;
     quads.reserve(transport.scene.quads.size());
     for (const SceneQuad& quad : transport.scene.quads)
@@ -16,6 +15,10 @@ OpenedOperator open_operator(const std::string& path) {
     Visibility visibility(quads);
     OccluderTree occluders(quads);
     return {std::move(transport), std::move(quads), std::move(visibility), std::move(occluders)};
+}
+
+OpenedOperator open_operator(const std::string& path) {
+    return opened(read_operator_file(path));
 }
 
 std::vector<Light> chosen_lights(const std::optional<std::string>& path, const Scene& scene) {

@@ -18,6 +18,9 @@ struct OpenedOperator {
     OccluderTree occluders;
 };
 
+/// Builds the search structures.
+OpenedOperator opened(GlobalTransport transport);
+
 /// @throws as read_operator_file
 OpenedOperator open_operator(const std::string& path);
 

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "runtime/drawing/frame_renderer.h"
+#include "runtime/frame.h"
+#include "viewer/commands/opened_operator.h"
+#include "viewer/window/stage_times.h"
+
+namespace lightwell {
+
+/// A scene as it is lit and drawn: the online pipeline with its renderer, in one OpenGL context,
+/// which must be current whenever a method is called, and at the end.
+class LitScene {
+  public:
+    /// Projects with what is faster on this machine, rays or occlusion queries.
+    LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader& loader);
+    ~LitScene();
+
+    const std::shared_ptr<const OpenedOperator>& opened() const { return opened_; }
+    const FrameRenderer& renderer() const { return renderer_; }
+
+    /// Lights the scene anew where the lights have changed, or where X is not exact yet.
+    /// @param wants_exact  keep textures of the exact product too, for Picture::difference
+    void light(const std::vector<Light>& lights, const UpdateOptions& options, bool wants_exact);
+    /// Whether light() with the same lights would change nothing.
+    bool is_at_rest() const { return report_.update.pending == 0; }
+
+    /// Draws into the framebuffer that is bound; returns when the picture is complete.
+    void draw(const Camera& camera, const FrameView& view, int width, int height);
+    LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height) {
+        return renderer_.linear(camera, view, width, height);
+    }
+
+    /// Indirect illuminance [lx] at a point of a surface, as the picture shows it.
+    Rgb indirect_at(int quad, bool front, const Vec3& point) const;
+    /// Of the last light() and the last draw().
+    const StageTimes& times() const { return times_; }
+    const UpdateReport& update() const { return report_.update; }
+
+  private:
+    class Exact;
+
+    std::shared_ptr<const OpenedOperator> opened_;
+    Frame frame_;
+    FrameRenderer renderer_;
+    void (*finish_)();  ///< glFinish
+    std::optional<std::vector<Light>> lit_;
+    FrameReport report_;
+    std::unique_ptr<Exact> exact_;
+    StageTimes times_;
+};
+
+/// Whether two lists hold the same lights, names aside.
+bool shine_alike(const std::vector<Light>& some, const std::vector<Light>& others);
+
+}  // namespace lightwell

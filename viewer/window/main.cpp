@@ -1,0 +1,75 @@
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "radiance4d/failure.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/exit_status.h"
+#include "viewer/commands/output.h"
+#include "viewer/commands/stop_signal.h"
+#include "viewer/window/window_loop.h"
+
+namespace lightwell {
+
+namespace {
+
+void view(int argc, char** argv) {
+    constexpr int most_threads = 1024;
+    CLI::App app{"Walk through a scene in a window and move its lamps.", "lightwell view"};
+    ViewRequest request;
+    std::optional<int> threads;
+    const auto add = [&app](const std::string& name, const std::string& value_name,
+                            const std::string& meaning,
+                            std::function<void(const std::string&)> take) {
+        app.add_option_function<std::string>(name, std::move(take), meaning)->type_name(value_name);
+    };
+    app.add_option("FILE", request.subject,
+                   "a .gto file, or a scene as for precompute, which is computed while you look")
+        ->type_name("")
+        ->required();
+    add("--lights", "L.toml", "file with [[light]] tables, and perhaps a [camera]; the scene's own",
+        [&](const std::string& text) { request.lights = text; });
+    add("--camera", "C.toml", "file with a [camera]; the scene's own by default",
+        [&](const std::string& text) { request.camera = text; });
+    add("--size", "WxH", "pixels of the window; 1280x800 by default",
+        [&](const std::string& text) { request.size = size_argument("--size", text); });
+    add("--error", "E", "relative error that a scene is computed to; 0.05 by default",
+        [&](const std::string& text) { request.error = error_argument("--error", text); });
+    add("--threads", "N", "threads to use; as many as the machine has by default",
+        [&](const std::string& text) {
+            threads = whole_argument("--threads", text, 1, most_threads);
+        });
+    add("--record", "FILE", "write all input there, for --replay",
+        [&](const std::string& text) { request.record = text; });
+    add("--replay", "FILE",
+        "play recorded input, then print what the visit has come to as JSON, and end",
+        [&](const std::string& text) { request.replay = text; });
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        print_result(app.help());
+        return;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(fmt::format("{}; see lightwell view --help", error.what()));
+    }
+    std::optional<tbb::global_control> limit;
+    if (threads)
+        limit.emplace(tbb::global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(*threads));
+    WindowLoop loop(request);
+    loop.run();
+    if (stop_requested()) throw Interrupted("stopped on request");
+    if (request.replay) print_result(loop.summary());
+}
+
+}  // namespace
+
+}  // namespace lightwell
+
+int main(int argc, char** argv) {
+    lightwell::heed_stop_signals();
+    return lightwell::exit_status_of([&] { lightwell::view(argc, argv); });
+}

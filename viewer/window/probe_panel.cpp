@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/window/panel.h"
+
+namespace lightwell {
+
+namespace {
+
+void number(double value) {
+    ImGui::TableNextColumn();
+    ImGui::Text("%.4g", value);
+}
+
+void show_shares(const ProbeReading& reading) {
+    if (!ImGui::BeginTable("shares", 4, ImGuiTableFlags_RowBg)) return;
+    for (const char* heading : {"lx", "direct", "indirect", "both"})
+        ImGui::TableSetupColumn(heading);
+    ImGui::TableHeadersRow();
+    const auto row = [](const std::string& name, double direct, double indirect) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(name.c_str());
+        number(direct);
+        number(indirect);
+        number(direct + indirect);
+    };
+    for (const LightShare& share : reading.shares)
+        row(share.name, share.direct, share.indirect());
+    row("all", reading.direct(), reading.indirect());
+    ImGui::EndTable();
+}
+
+void show_bounces(const ProbeReading& reading) {
+    const std::vector<double> bounces = reading.bounces();
+    const double most =
+        std::max(1e-30, bounces.empty() ? 0 : *std::max_element(bounces.begin(), bounces.end()));
+    constexpr std::size_t shown = 8;
+    double rest = 0;
+    for (std::size_t k = 0; k < bounces.size(); ++k) {
+        if (k >= shown) {
+            rest += bounces[k];
+            continue;
+        }
+        const std::string text = fmt::format("bounce {}: {:.4g} lx", k + 1, bounces[k]);
+        ImGui::ProgressBar(static_cast<float>(bounces[k] / most), ImVec2(-1, 0), text.c_str());
+    }
+    if (rest > 0) ImGui::Text("later: %.4g lx", rest);
+}
+
+}  // namespace
+
+void show_probe(const PanelSubject& subject) {
+    const std::optional<ProbedPoint>& point = subject.visit.probed;
+    if (!point || !subject.scene) {
+        ImGui::TextDisabled("click a surface to read its light");
+        return;
+    }
+    ImGui::Text("%.2f %.2f %.2f m", point->position[0], point->position[1], point->position[2]);
+    ImGui::SameLine();
+    if (ImGui::SmallButton("forget")) subject.visit.probed.reset();
+    if (!point) return;
+    ImGui::TextDisabled("%s, %s",
+                        subject.scene->opened()->transport.scene.describe(point->quad).c_str(),
+                        point->front ? "front" : "back");
+    ImGui::Text("indirect as drawn: %.4g lx",
+                luminance(subject.scene->indirect_at(point->quad, point->front, point->position)));
+    if (!subject.probe.reading()) {
+        ImGui::TextDisabled("reading ...");
+        return;
+    }
+    const ProbeReading& reading = *subject.probe.reading();
+    ImGui::Text("%.4g lx", reading.direct() + reading.indirect());
+    show_shares(reading);
+    show_bounces(reading);
+}
+
+}  // namespace lightwell

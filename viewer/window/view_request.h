@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "viewer/commands/arguments.h"
+
+namespace lightwell {
+
+/// What `lightwell view` was asked for.
+struct ViewRequest {
+    std::string subject;                ///< a .gto file, or a scene as for precompute
+    std::optional<std::string> lights;  ///< a file of lights, and perhaps a view; the scene's own
+    std::optional<std::string> camera;  ///< a file with a camera; the scene's own
+    PixelSize size{1280, 800};          ///< of the window's content
+    double error = 0.05;                ///< that a scene is computed to
+    std::optional<std::string> replay;  ///< a file of recorded input, see recording.h
+    std::optional<std::string> record;  ///< a file to record input to
+};
+
+}  // namespace lightwell

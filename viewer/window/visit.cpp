@@ -1,0 +1,64 @@
+#include "viewer/window/visit.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lightwell {
+
+namespace {
+
+constexpr std::size_t most_messages = 50;
+
+void drop_lost_selection(Visit& visit) {
+    if (visit.selected && *visit.selected >= visit.edits.lights().size()) visit.selected.reset();
+}
+
+}  // namespace
+
+void Visit::say(std::string message) {
+    messages.push_back(std::move(message));
+    if (messages.size() > most_messages) messages.erase(messages.begin());
+}
+
+const EditedLight* Visit::selected_light() const {
+    return selected && *selected < edits.lights().size() ? &edits.lights()[*selected] : nullptr;
+}
+
+void Visit::add_light(const Visibility& visibility) {
+    constexpr double arm = 1;           // [m]
+    constexpr double share = 0.5;       // of the way to what is looked at
+    constexpr double brightness = 100;  // [cd], about a 100 W bulb
+    const Vec3 ahead = camera.forward();
+    const Hit hit = visibility.nearest(camera.position(), free_point, ahead);
+    const double distance = hit ? std::min(arm, share * hit.distance) : arm;
+    PointLight light;
+    light.name = "lamp";
+    light.position = camera.position() + distance * ahead;
+    light.intensity = Rgb::Constant(brightness);
+    selected = edits.add({light, true, 1});
+}
+
+void Visit::remove_selected() {
+    if (!selected_light()) return;
+    edits.remove(*selected);
+    selected.reset();
+}
+
+void Visit::undo() {
+    edits.undo();
+    drop_lost_selection(*this);
+}
+
+void Visit::redo() {
+    edits.redo();
+    drop_lost_selection(*this);
+}
+
+std::optional<ProbedPoint> surface_along(const Visibility& visibility, const Vec3& eye,
+                                         const Vec3& direction) {
+    const Hit hit = visibility.nearest(eye, free_point, direction);
+    if (!hit) return std::nullopt;
+    return ProbedPoint{eye + hit.distance * direction, hit.quad, hit.front};
+}
+
+}  // namespace lightwell

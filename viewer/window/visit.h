@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiance4d/scene/visibility.h"
+#include "runtime/drawing/frame_view.h"
+#include "runtime/propagation/incremental_update.h"
+#include "viewer/window/light_edits.h"
+#include "viewer/window/walk_camera.h"
+
+namespace lightwell {
+
+/// What keys and panel ask for beyond a change of the visit itself.
+enum class Command {
+    save_lights,  ///< lights and view to Visit::lights_file
+    load_lights,  ///< and back
+    picture_png,  ///< the picture to the next free file of Visit::picture_stem
+    picture_exr,
+    reload,         ///< the file that is shown
+    save_operator,  ///< what was computed here to Visit::operator_file
+    expose,         ///< exposure and lux scale by the picture, once
+    first_camera,   ///< back to where the visit began
+    quit
+};
+
+/// A place on a surface whose light is read.
+struct ProbedPoint {
+    Vec3 position = Vec3::Zero();  ///< [m]
+    int quad = 0;
+    bool front = true;
+};
+
+/// All that a person who visits a scene has set: where they stand, which lights shine, what is
+/// shown.
+struct Visit {
+    WalkCamera camera;
+    LightEdits edits;
+    std::optional<std::size_t> selected;  ///< a light
+    std::optional<ProbedPoint> probed;
+
+    FrameView view;
+    UpdateOptions update;
+    bool adapts = false;  ///< exposure and lux scale follow the picture all the time
+    bool through_walls = false;
+    bool shows_panel = true;
+    bool shows_handles = true;
+    bool shows_help = false;
+    bool looks_freely = false;  ///< the cursor is captured and turns the view
+
+    std::string lights_file;
+    std::string picture_stem;
+    std::string operator_file;
+    std::vector<Command> commands;      ///< not carried out yet
+    std::vector<std::string> messages;  ///< what happened, the newest last
+
+    explicit Visit(const WalkCamera& stands) : camera(stands) {}
+
+    void ask(Command command) { commands.push_back(command); }
+    void say(std::string message);
+    const EditedLight* selected_light() const;
+    /// Adds a light before the eye, on this side of what is looked at, and selects it.
+    void add_light(const Visibility& visibility);
+    /// The selected light, if any, is removed.
+    void remove_selected();
+    /// Undo or redo; the selection is dropped where its light is gone.
+    void undo();
+    void redo();
+};
+
+/// The surface that a ray from the eye along a unit direction meets.
+std::optional<ProbedPoint> surface_along(const Visibility& visibility, const Vec3& eye,
+                                         const Vec3& direction);
+
+}  // namespace lightwell
