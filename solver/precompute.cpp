@@ -157,11 +157,12 @@ TrialLights projected_trials(const RadianceSpace& space, const Ground& ground,
 
 /// What any operator of the scene should come to for lights that it is not made for.
 std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& options,
-                               const RadianceSpace& space, const Progress& progress) {
+                               const GlobalTransport& transport, const Progress& progress) {
     EstimateOptions asked;
     asked.noise = std::clamp(options.error, 0.03, 0.05);
     asked.points = judged_points(ground.scene);
-    return judged_lights(ground.scene, space, ground.visibility, ground.unseen, asked, progress);
+    return judged_lights(transport, ground.quads, ground.visibility, ground.occluders,
+                         ground.unseen, asked, progress);
 }
 
 /// 2. to 5.: the operators for given settings.
@@ -246,7 +247,7 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
 
         // 6. Is it good enough?
         if (judged.empty()) {
-            judged = judge(ground, options, transport.space, progress);
+            judged = judge(ground, options, transport, progress);
             for (const JudgedLight& one : judged)
                 report.estimate_rays += one.rays;
         }

@@ -6,8 +6,10 @@
 
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/scene/brdf.h"
+#include "solver/reference/chosen_points.h"
 #include "solver/reference/deviation.h"
 #include "solver/reference/radiance_tracer.h"
+#include "solver/reference/random_stream.h"
 #include "solver/reference/sampling.h"
 
 namespace lightwell {
@@ -38,6 +40,11 @@ double visible_share(const RadianceSpace& space, const Visibility& visibility,
         }
     }
     return static_cast<double>(visible) / (looks_along * looks_along);
+}
+
+/// Irradiance as pictures show it [lx], by element.
+std::vector<SmoothSurface> pictured(const GlobalTransport& transport, const RadianceField& direct) {
+    return smooth_irradiance(transport.space, gathered_light(transport, direct));
 }
 
 }  // namespace
@@ -98,31 +105,6 @@ JudgedLight judged_light(const Scene& dark, const Visibility& visibility, const 
     return {lamp, std::move(points), std::move(weight), std::move(survey.at), survey.rays};
 }
 
-std::vector<JudgedLight> judged_lights(const Scene& scene, const RadianceSpace& space,
-                                       const Visibility& visibility,
-                                       const std::vector<Vec3>& positions,
-                                       const EstimateOptions& options, const Progress& progress) {
-    const Scene dark = without_emission(scene);
-    const std::vector<QuadSide> sides = seeing_sides(dark, visibility);
-    NoiseTarget target;
-    target.relative = options.noise;
-    target.floor = 1;
-    std::vector<JudgedLight> judged;
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        progress.check();
-        progress.say("estimate", static_cast<double>(k) / static_cast<double>(positions.size()));
-        PointLight lamp;
-        lamp.position = positions[k];
-        lamp.intensity = Rgb::Ones();
-        std::vector<SurfacePoint> points =
-            sample_surface(dark, sides, options.points, options.seed + k);
-        std::vector<double> weight = visible_shares(space, visibility, points);
-        judged.push_back(judged_light(dark, visibility, lamp, std::move(points), std::move(weight),
-                                      target, options.seed + k));
-    }
-    return judged;
-}
-
 std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const RadianceSpace& space,
                           const std::vector<SmoothSurface>& irradiance,
                           const std::vector<Quad>& quads) {
@@ -130,6 +112,37 @@ std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const Radianc
     for (const SurfacePoint& point : points)
         values.push_back(shown(point, space, irradiance, quads));
     return values;
+}
+
+std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
+                                       const std::vector<Quad>& quads, const Visibility& visibility,
+                                       const OccluderTree& occluders,
+                                       const std::vector<Vec3>& positions,
+                                       const EstimateOptions& options, const Progress& progress) {
+    const Scene dark = without_emission(transport.scene);
+    const std::vector<QuadSide> sides = seeing_sides(dark, visibility);
+    NoiseTarget target;
+    target.relative = options.noise;
+    target.floor = 0.5;  // bright places are chosen oftener than dark ones
+    std::vector<JudgedLight> judged;
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        progress.check();
+        progress.say("estimate", static_cast<double>(k) / static_cast<double>(positions.size()));
+        PointLight lamp;
+        lamp.position = positions[k];
+        lamp.intensity = Rgb::Ones();
+        const RadianceField direct = projected_lights(transport.space, {lamp}, quads, occluders);
+        CandidatePoints candidates;
+        candidates.points = sample_surface(dark, sides, options.candidates, options.seed + k);
+        candidates.shown = {
+            shown_at(candidates.points, transport.space, pictured(transport, direct), quads),
+            visible_shares(transport.space, visibility, candidates.points)};
+        ChosenPoints chosen =
+            chosen_points(candidates, options.points, RandomStream(options.seed + k).uniform());
+        judged.push_back(judged_light(dark, visibility, lamp, std::move(chosen.points),
+                                      std::move(chosen.shown.weight), target, options.seed + k));
+    }
+    return judged;
 }
 
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
@@ -143,10 +156,9 @@ ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector
             projected_lights(transport.space, {one.light}, quads, occluders);
         stored_flux += total_flux(transport.space, global_light(transport, direct) - direct);
         solved_flux += total_flux(transport.space, solved_light(transport, direct));
-        const std::vector<SmoothSurface> irradiance =
-            smooth_irradiance(transport.space, gathered_light(transport, direct));
         const Deviation deviation = deviation_from(
-            one.truth, shown_at(one.points, transport.space, irradiance, quads), one.weight);
+            one.truth, shown_at(one.points, transport.space, pictured(transport, direct), quads),
+            one.weight);
         if (deviation.reference_rms > 0) estimate.by_light.push_back(deviation.relative_rms);
     }
     if (solved_flux.sum() > 0) estimate.energy_dropped = 1 - stored_flux.sum() / solved_flux.sum();

@@ -15,7 +15,9 @@ namespace lightwell {
 
 /// How much is asked of the judge.
 struct EstimateOptions {
-    int points = 200;     ///< surface points a light, spread evenly by area
+    int points = 200;  ///< surface points a light
+    /// Evenly spread points among which these are chosen, by what an operator shows there.
+    int candidates = 2000;
     double noise = 0.03;  ///< of the judge at a point, relative to the rms over the points; its
                           ///< variance is taken off
     std::uint64_t seed = 1;
@@ -27,7 +29,7 @@ Scene without_emission(Scene scene);
 /// The indirect light of one white unit lamp in a scene, by path tracing.
 struct JudgedLight {
     PointLight light;
-    std::vector<SurfacePoint> points;  ///< spread evenly by area
+    std::vector<SurfacePoint> points;
     std::vector<double>
         weight;  ///< by point: how much it counts, as a rule how well it can be seen
     std::vector<IrradianceEstimate> truth;  ///< by point
@@ -53,19 +55,20 @@ JudgedLight judged_light(const Scene& dark, const Visibility& visibility, const 
                          std::vector<SurfacePoint> points, std::vector<double> weight,
                          const NoiseTarget& target, std::uint64_t seed);
 
-/// Judges the scene for white unit lights at the given positions, one at a time, emitters off. What
-/// is said holds for every operator of the scene.
-/// @param space  of one of them: tells which sides take part, and so how well a point can be seen
-std::vector<JudgedLight> judged_lights(const Scene& scene, const RadianceSpace& space,
-                                       const Visibility& visibility,
-                                       const std::vector<Vec3>& positions,
-                                       const EstimateOptions& options, const Progress& progress);
-
 /// What a picture shows at surface points, of an irradiance [lx] by element: 0 on sides that take
 /// no part.
 std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const RadianceSpace& space,
                           const std::vector<SmoothSurface>& irradiance,
                           const std::vector<Quad>& quads);
+
+/// Judges the scene of an operator for white unit lights at the given positions, one at a time,
+/// emitters off. What is said holds for every operator of the scene; this one tells where to look:
+/// which points can be seen, and, since in a building a lamp lights a few rooms, which are lit.
+std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
+                                       const std::vector<Quad>& quads, const Visibility& visibility,
+                                       const OccluderTree& occluders,
+                                       const std::vector<Vec3>& positions,
+                                       const EstimateOptions& options, const Progress& progress);
 
 /// The error of an operator for some lights, judged by path tracing.
 struct ErrorEstimate {

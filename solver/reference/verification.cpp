@@ -7,6 +7,7 @@
 
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/direct_light.h"
+#include "solver/reference/chosen_points.h"
 #include "solver/reference/deviation.h"
 #include "solver/reference/error_estimate.h"
 #include "solver/reference/random_lights.h"
@@ -29,44 +30,6 @@ std::vector<IrradianceEstimate> with(std::vector<IrradianceEstimate> estimates,
     for (std::size_t k = 0; k < estimates.size(); ++k)
         estimates[k].mean += more[k];
     return estimates;
-}
-
-/// Evenly spread points of one lamp, what the first way shows there, and how well they can be seen.
-struct Candidates {
-    std::vector<SurfacePoint> points;
-    ShownPoints shown;
-
-    /// How much oftener than by area and visibility each point is to be chosen.
-    std::vector<double> preference() const {
-        double mean = 0, weights = 0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            mean += shown.weight[i] * shown.value[i].square().sum();
-            weights += shown.weight[i];
-        }
-        if (weights > 0) mean /= weights;
-        std::vector<double> preferences;
-        for (const Rgb& value : shown.value)
-            preferences.push_back(mean > 0 ? 0.5 + 0.5 * value.square().sum() / mean : 1);
-        return preferences;
-    }
-};
-
-/// `count` numbers, each with a chance proportional to its weight: systematic sampling, so that
-/// what is spread evenly stays so.
-std::vector<std::size_t> chosen(const std::vector<double>& weight, int count, double offset) {
-    double all = 0;
-    for (const double one : weight)
-        all += one;
-    std::vector<std::size_t> numbers;
-    if (!(all > 0)) return numbers;
-    double covered = 0;
-    for (std::size_t i = 0; i < weight.size(); ++i) {
-        covered += weight[i];
-        while (numbers.size() < static_cast<std::size_t>(count) && weight[i] > 0 &&
-               (static_cast<double>(numbers.size()) + offset) * all < covered * count)
-            numbers.push_back(i);
-    }
-    return numbers;
 }
 
 /// The place of largest error so far.
@@ -122,7 +85,7 @@ class Verifier {
             PointLight lamp;
             lamp.position = positions[k];
             lamp.intensity = Rgb::Ones();
-            Candidates candidates;
+            CandidatePoints candidates;
             candidates.points = sample_surface(scene_, sides, options_.candidates, random.bits());
             candidates.shown = {ways_.front().at(lamp, candidates.points),
                                 visible_shares(space_, visibility_, candidates.points)};
@@ -160,31 +123,19 @@ class Verifier {
         return values;
     }
 
-    void judge(const PointLight& lamp, const Candidates& candidates, RandomStream& random) {
-        const std::vector<double> preference = candidates.preference();
-        std::vector<double> chance = candidates.shown.weight;
-        for (std::size_t i = 0; i < chance.size(); ++i)
-            chance[i] *= preference[i];
-        std::vector<SurfacePoint> points;
-        std::vector<double> visible;
-        ShownPoints shown;
-        for (const std::size_t i : chosen(chance, options_.points, random.uniform())) {
-            points.push_back(candidates.points[i]);
-            visible.push_back(candidates.shown.weight[i]);
-            shown.value.push_back(candidates.shown.value[i]);
-            shown.weight.push_back(1 / preference[i]);
-        }
+    void judge(const PointLight& lamp, const CandidatePoints& candidates, RandomStream& random) {
+        ChosenPoints chosen = chosen_points(candidates, options_.points, random.uniform());
         NoiseTarget target;
         target.relative = options_.noise;
         target.floor = 0.5;  // bright places are chosen oftener than dark ones
-        const JudgedLight judged = judged_light(scene_, visibility_, lamp, std::move(points),
-                                                shown.weight, target, random.bits());
+        const JudgedLight judged = judged_light(scene_, visibility_, lamp, std::move(chosen.points),
+                                                chosen.shown.weight, target, random.bits());
         result_.rays += judged.rays;
-        compare(judged, visible, shown, candidates);
+        compare(judged, chosen.visible, std::move(chosen.shown), candidates);
     }
 
     void compare(const JudgedLight& judged, const std::vector<double>& visible, ShownPoints shown,
-                 const Candidates& candidates) {
+                 const CandidatePoints& candidates) {
         const PointLight& lamp = judged.light;
         const LightMeasure indirect = measure_of(judged.truth, shown, candidates.shown);
         if (!(indirect.square > 0 && indirect.mean > 0)) return;

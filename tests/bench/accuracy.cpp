@@ -173,7 +173,8 @@ void run(const Request& request) {
         for (const PointLight& light : random_lights(scene, visibility, request.lights,
                                                      request.judge.seed, request.placement))
             positions.push_back(light.position);
-        judged = judged_lights(scene, transport.space, visibility, positions, request.judge, {});
+        judged =
+            judged_lights(transport, quads, visibility, occluders, positions, request.judge, {});
         cache.write(judged);
     }
 

@@ -42,7 +42,7 @@ class Comparison {
         GlobalTransport transport;
         for (auto _ : state)
             transport = precompute(scene_, options, {}, report);
-        judge(transport.space);
+        judge(transport);
         Reached reached;
         reached.error = estimate_error(transport, quads_, occluders_, judged_, {}).rms();
         reached.link_rays = static_cast<double>(report.link_rays);
@@ -114,7 +114,7 @@ class Comparison {
         return quads;
     }
 
-    void judge(const RadianceSpace& space) {
+    void judge(const GlobalTransport& transport) {
         constexpr int lights = 10;
         constexpr std::uint64_t seed = 2718;
         if (!judged_.empty()) return;
@@ -124,7 +124,7 @@ class Comparison {
         EstimateOptions options;
         options.noise = 0.02;
         options.seed = seed;
-        judged_ = judged_lights(scene_, space, visibility_, positions, options, {});
+        judged_ = judged_lights(transport, quads_, visibility_, occluders_, positions, options, {});
     }
 
     /// What the paper's oracle would need for an error between two that it reached; nothing

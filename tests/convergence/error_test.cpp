@@ -32,7 +32,7 @@ TEST(Convergence, ErrorFallsWithTheErrorAskedFor) {
         PrecomputeReport report;
         const GlobalTransport transport = precompute(scene, options, {}, report);
         if (judged.empty())
-            judged = judged_lights(scene, transport.space, visibility, positions, judge, {});
+            judged = judged_lights(transport, quads, visibility, occluders, positions, judge, {});
         const double reached = estimate_error(transport, quads, occluders, judged, {}).rms();
         RecordProperty("reached_at_" + std::to_string(asked), std::to_string(reached));
         EXPECT_LT(reached, asked);
