@@ -6,18 +6,46 @@ namespace lightwell {
 
 namespace {
 
-/// How much oftener than by visibility alone each point is to be chosen.
-std::vector<double> preferences(const ShownPoints& shown) {
+/// Values over their weighted mean; all one where that is 0.
+std::vector<double> over_mean(std::vector<double> values, const std::vector<double>& weight) {
     double mean = 0, weights = 0;
-    for (std::size_t i = 0; i < shown.value.size(); ++i) {
-        mean += shown.weight[i] * shown.value[i].square().sum();
-        weights += shown.weight[i];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        mean += weight[i] * values[i];
+        weights += weight[i];
     }
     if (weights > 0) mean /= weights;
-    std::vector<double> preferences;
-    for (const Rgb& value : shown.value)
-        preferences.push_back(mean > 0 ? 0.5 + 0.5 * value.square().sum() / mean : 1);
-    return preferences;
+    for (double& value : values)
+        value = mean > 0 ? value / mean : 1;
+    return values;
+}
+
+std::vector<double> squares(const std::vector<Rgb>& values) {
+    std::vector<double> result;
+    for (const Rgb& value : values)
+        result.push_back(value.square().sum());
+    return result;
+}
+
+std::vector<Rgb> differences(const CandidatePoints& candidates) {
+    std::vector<Rgb> result;
+    for (std::size_t i = 0; i < candidates.otherwise.size(); ++i)
+        result.push_back(candidates.shown.value[i] - candidates.otherwise[i]);
+    return result;
+}
+
+/// How much oftener than by visibility alone each point is to be chosen; one on average.
+std::vector<double> preferences(const CandidatePoints& candidates) {
+    const std::vector<double>& weight = candidates.shown.weight;
+    std::vector<double> bright = over_mean(squares(candidates.shown.value), weight);
+    if (candidates.otherwise.empty()) {
+        for (double& one : bright)
+            one = 0.5 + 0.5 * one;
+        return bright;
+    }
+    const std::vector<double> unsure = over_mean(squares(differences(candidates)), weight);
+    for (std::size_t i = 0; i < bright.size(); ++i)
+        bright[i] = 0.4 + 0.3 * bright[i] + 0.3 * unsure[i];
+    return bright;
 }
 
 /// `count` numbers, each with a chance proportional to its weight.
@@ -39,9 +67,20 @@ std::vector<std::size_t> drawn(const std::vector<double>& weight, int count, dou
 
 }  // namespace
 
+double relative_difference(const CandidatePoints& candidates) {
+    const std::vector<double> difference = squares(differences(candidates));
+    const std::vector<double> size = squares(candidates.shown.value);
+    double differing = 0, all = 0;
+    for (std::size_t i = 0; i < difference.size(); ++i) {
+        differing += candidates.shown.weight[i] * difference[i];
+        all += candidates.shown.weight[i] * size[i];
+    }
+    return all > 0 ? differing / all : 0;
+}
+
 ChosenPoints chosen_points(const CandidatePoints& candidates, int count, double offset) {
     const ShownPoints& shown = candidates.shown;
-    const std::vector<double> preference = preferences(shown);
+    const std::vector<double> preference = preferences(candidates);
     std::vector<double> chance = shown.weight;
     for (std::size_t i = 0; i < chance.size(); ++i)
         chance[i] *= preference[i];

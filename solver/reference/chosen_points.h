@@ -12,7 +12,12 @@ namespace lightwell {
 struct CandidatePoints {
     std::vector<SurfacePoint> points;
     ShownPoints shown;
+    /// What is shown there in another way; empty where that is not known.
+    std::vector<Rgb> otherwise;
 };
+
+/// By how much the two ways differ, relative to the light, squared.
+double relative_difference(const CandidatePoints& candidates);
 
 /// Some of them, for a judge.
 struct ChosenPoints {
@@ -23,7 +28,8 @@ struct ChosenPoints {
 };
 
 /// Chooses `count` points, half of them by how well they can be seen and half by that times the
-/// square of the light shown there, since a few bright places hold most of the error.
+/// square of the light shown there, since a few bright places hold most of the error. Where another
+/// way to show them is known, three tenths go by the square of the difference instead.
 ///
 /// Systematic sampling, so that what is spread evenly stays so; none if nothing can be seen.
 /// @param offset  random, in [0,1)

@@ -11,20 +11,33 @@ namespace {
 
 struct Mean {
     double value = 0;
-    double half = 0;  ///< half the width of the interval
+    double half = 0;   ///< half the width of the interval
+    double shift = 0;  ///< by which its upper end lies higher, for samples skewed to the right
 };
 
-Mean mean_of(const std::vector<double>& samples) {
+/// The ratio estimate of Hajek, with its variance by linearisation.
+Mean mean_of(const std::vector<WeighedValue>& samples) {
     LIGHTWELL_CHECK_OP(samples.size(), >=, std::size_t{2});
     const auto count = static_cast<double>(samples.size());
+    double weights = 0;
     Mean mean;
-    for (const double sample : samples)
-        mean.value += sample / count;
-    double squares = 0;
-    for (const double sample : samples)
-        squares += (sample - mean.value) * (sample - mean.value);
-    mean.half = student_quantile(static_cast<int>(samples.size()) - 1) *
-                std::sqrt(squares / (count * (count - 1)));
+    for (const WeighedValue& sample : samples) {
+        weights += sample.weight;
+        mean.value += sample.weight * sample.value;
+    }
+    LIGHTWELL_CHECK_OP(weights, >, 0);
+    mean.value /= weights;
+    double squares = 0, cubes = 0;
+    for (const WeighedValue& sample : samples) {
+        const double pull = sample.weight * (sample.value - mean.value) / weights;
+        squares += pull * pull;
+        cubes += pull * pull * pull;
+    }
+    const double variance = squares * count / (count - 1);
+    const double quantile = student_quantile(static_cast<int>(samples.size()) - 1);
+    mean.half = quantile * std::sqrt(variance);
+    if (variance > 0)
+        mean.shift = std::max(0.0, cubes / variance * (2 * quantile * quantile + 1) / 6);
     return mean;
 }
 
@@ -42,17 +55,18 @@ double student_quantile(int degrees_of_freedom) {
            (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
 }
 
-Interval mean_interval(const std::vector<double>& samples) {
+Interval mean_interval(const std::vector<WeighedValue>& samples) {
     const Mean mean = mean_of(samples);
     return {mean.value, mean.value - mean.half, mean.value + mean.half};
 }
 
-Interval rms_interval(const std::vector<double>& squares) {
+Interval rms_interval(const std::vector<WeighedValue>& squares) {
     const Mean mean = mean_of(squares);
     if (mean.half > 0.5 * mean.value)
-        return {root(mean.value), root(mean.value - mean.half), root(mean.value + mean.half)};
-    const double spread = std::exp(0.5 * mean.half / mean.value);
-    return {root(mean.value), root(mean.value) / spread, root(mean.value) * spread};
+        return {root(mean.value), root(mean.value - mean.half),
+                root(mean.value + mean.half + mean.shift)};
+    const double spread = std::exp(mean.half / mean.value);
+    return {root(mean.value), root(mean.value / spread), root(mean.value * spread + mean.shift)};
 }
 
 double quantile_of(std::vector<WeighedValue> values, double share) {

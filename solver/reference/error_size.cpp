@@ -21,7 +21,14 @@ LightMeasure mean_of(const ShownPoints& shown) {
 LightMeasure measure_of(const std::vector<IrradianceEstimate>& judged, const ShownPoints& few,
                         const ShownPoints& many) {
     const Deviation truth = deviation_from(judged, few.value, few.weight);
-    const LightMeasure here = mean_of(few), everywhere = mean_of(many);
+    // By the weights' expectation, not their sum: a ratio of two sums would be biased.
+    double weights = 0;
+    for (const double weight : few.weight)
+        weights += weight / static_cast<double>(few.weight.size());
+    LightMeasure here = mean_of(few);
+    here.square *= weights;
+    here.mean *= weights;
+    const LightMeasure everywhere = mean_of(many);
     LightMeasure measure;
     if (here.square > 0) measure.square = truth.reference_square * everywhere.square / here.square;
     if (here.mean > 0) measure.mean = truth.reference_mean * everywhere.mean / here.mean;
@@ -40,17 +47,18 @@ double NoisySizes::quantile(double share) const {
 }
 
 void ErrorCollection::add(const std::vector<IrradianceEstimate>& judged, const ShownPoints& shown,
-                          const LightMeasure& measure) {
+                          const LightMeasure& measure, double lamp_weight) {
     const Deviation deviation = deviation_from(judged, shown.value, shown.weight);
-    squares_.push_back(deviation.square / measure.square);
-    biases_.push_back(deviation.mean / measure.mean);
+    squares_.push_back({deviation.square / measure.square, lamp_weight});
+    biases_.push_back({deviation.mean / measure.mean, lamp_weight});
     const double darkest = 0.01 * std::sqrt(measure.square / 3);
     for (std::size_t k = 0; k < judged.size(); ++k) {
         const double error = luminance(Rgb(shown.value[k] - judged[k].mean));
         const double noise = luminance(judged[k].standard_error);
         const double bright = std::max(darkest, luminance(judged[k].mean));
-        lux_.add(lux_of_unit_lamp * error, lux_of_unit_lamp * noise, shown.weight[k]);
-        relative_.add(error / bright, noise / bright, shown.weight[k]);
+        const double weight = lamp_weight * shown.weight[k];
+        lux_.add(lux_of_unit_lamp * error, lux_of_unit_lamp * noise, weight);
+        relative_.add(error / bright, noise / bright, weight);
     }
 }
 

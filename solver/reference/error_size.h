@@ -66,15 +66,16 @@ class NoisySizes {
 class ErrorCollection {
   public:
     /// Irradiance at the places of one more lamp of 1 cd.
+    /// @param lamp_weight  how much the lamp counts among the others
     void add(const std::vector<IrradianceEstimate>& judged, const ShownPoints& shown,
-             const LightMeasure& measure);
+             const LightMeasure& measure, double lamp_weight);
     /// What there is to say about the lamps so far, at least two.
     ErrorSize size() const;
     /// By lamp: square of the relative L2 error, without bias.
-    const std::vector<double>& squares() const { return squares_; }
+    const std::vector<WeighedValue>& squares() const { return squares_; }
 
   private:
-    std::vector<double> squares_, biases_;  // by lamp
+    std::vector<WeighedValue> squares_, biases_;  // by lamp
     NoisySizes relative_, lux_;
 };
 

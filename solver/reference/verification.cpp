@@ -10,7 +10,7 @@
 #include "solver/reference/chosen_points.h"
 #include "solver/reference/deviation.h"
 #include "solver/reference/error_estimate.h"
-#include "solver/reference/random_lights.h"
+#include "solver/reference/lamp_draw.h"
 #include "solver/reference/random_stream.h"
 
 namespace lightwell {
@@ -73,23 +73,21 @@ class Verifier {
           errors_(ways.size()) {}
 
     Verification run(const Progress& progress) {
-        const std::vector<Vec3> positions = lamp_positions();
-        if (positions.empty())
+        const std::vector<QuadSide> sides = seeing_sides(scene_, visibility_);
+        const std::vector<DrawnLamp> drawn = lamps(sides, progress);
+        if (drawn.empty())
             throw InputError(scene_.geometry_file +
                              ": no room for a lamp, so there is nothing to verify");
-        const std::vector<QuadSide> sides = seeing_sides(scene_, visibility_);
-        for (std::size_t k = 0; k < positions.size(); ++k) {
+        for (std::size_t k = 0; k < drawn.size(); ++k) {
             progress.check();
-            progress.say("verify", static_cast<double>(k) / static_cast<double>(positions.size()));
+            progress.say("verify", static_cast<double>(k) / static_cast<double>(drawn.size()));
             RandomStream random(seed_of(judge_stream), k);
-            PointLight lamp;
-            lamp.position = positions[k];
-            lamp.intensity = Rgb::Ones();
-            CandidatePoints candidates;
-            candidates.points = sample_surface(scene_, sides, options_.candidates, random.bits());
-            candidates.shown = {ways_.front().at(lamp, candidates.points),
-                                visible_shares(space_, visibility_, candidates.points)};
-            judge(lamp, candidates, random);
+            std::vector<SurfacePoint> points =
+                sample_surface(scene_, sides, options_.candidates, random.bits());
+            std::vector<double> visible = visible_shares(space_, visibility_, points);
+            judge(drawn[k],
+                  candidates_for(lamp_at(drawn[k].position), std::move(points), std::move(visible)),
+                  random);
         }
         if (result_.lights < 2)
             throw InputError(scene_.geometry_file + ": nothing in it reflects light");
@@ -102,17 +100,32 @@ class Verifier {
         return RandomStream(options_.seed, stream).bits();
     }
 
-    /// In groups, because telling rooms apart takes time in the square of the lamps.
-    std::vector<Vec3> lamp_positions() const {
-        constexpr int group = 64;
-        std::vector<Vec3> positions;
-        for (int first = 0; first < options_.lights; first += group) {
-            const std::vector<Vec3> more = positions_in_rooms(
-                scene_, visibility_, std::min(group, options_.lights - first),
-                RandomStream(seed_of(lamp_stream), static_cast<std::uint64_t>(first)).bits());
-            positions.insert(positions.end(), more.begin(), more.end());
-        }
-        return positions;
+    static PointLight lamp_at(const Vec3& position) {
+        PointLight lamp;
+        lamp.position = position;
+        lamp.intensity = Rgb::Ones();
+        return lamp;
+    }
+
+    CandidatePoints candidates_for(const PointLight& lamp, std::vector<SurfacePoint> points,
+                                   std::vector<double> visible) const {
+        std::vector<Rgb> first = ways_.front().at(lamp, points),
+                         last = ways_.back().at(lamp, points);
+        return {std::move(points), {std::move(first), std::move(visible)}, std::move(last)};
+    }
+
+    std::vector<DrawnLamp> lamps(const std::vector<QuadSide>& sides,
+                                 const Progress& progress) const {
+        constexpr int glances = 500;
+        const std::uint64_t seed = seed_of(lamp_stream);
+        const std::vector<SurfacePoint> points = sample_surface(scene_, sides, glances, seed);
+        const std::vector<double> visible = visible_shares(space_, visibility_, points);
+        return drawn_lamps(
+            scene_, visibility_, options_.lights, seed,
+            [&](const Vec3& position) {
+                return relative_difference(candidates_for(lamp_at(position), points, visible));
+            },
+            progress);
     }
 
     std::vector<Rgb> direct_at(const PointLight& lamp,
@@ -123,19 +136,20 @@ class Verifier {
         return values;
     }
 
-    void judge(const PointLight& lamp, const CandidatePoints& candidates, RandomStream& random) {
+    void judge(const DrawnLamp& lamp, const CandidatePoints& candidates, RandomStream& random) {
         ChosenPoints chosen = chosen_points(candidates, options_.points, random.uniform());
         NoiseTarget target;
         target.relative = options_.noise;
         target.floor = 0.5;  // bright places are chosen oftener than dark ones
-        const JudgedLight judged = judged_light(scene_, visibility_, lamp, std::move(chosen.points),
-                                                chosen.shown.weight, target, random.bits());
+        const JudgedLight judged =
+            judged_light(scene_, visibility_, lamp_at(lamp.position), std::move(chosen.points),
+                         chosen.shown.weight, target, random.bits());
         result_.rays += judged.rays;
-        compare(judged, chosen.visible, std::move(chosen.shown), candidates);
+        compare(judged, lamp.weight, chosen.visible, std::move(chosen.shown), candidates);
     }
 
-    void compare(const JudgedLight& judged, const std::vector<double>& visible, ShownPoints shown,
-                 const CandidatePoints& candidates) {
+    void compare(const JudgedLight& judged, double lamp_weight, const std::vector<double>& visible,
+                 ShownPoints shown, const CandidatePoints& candidates) {
         const PointLight& lamp = judged.light;
         const LightMeasure indirect = measure_of(judged.truth, shown, candidates.shown);
         if (!(indirect.square > 0 && indirect.mean > 0)) return;
@@ -150,8 +164,9 @@ class Verifier {
         noise_ += std::pow(deviation_from(judged.truth, shown.value, shown.weight).noise, 2);
         for (std::size_t w = 0; w < ways_.size(); ++w) {
             if (w > 0) shown.value = ways_[w].at(lamp, judged.points);
-            errors_[w].indirect.add(judged.truth, shown, indirect);
-            errors_[w].total.add(truth, {with(shown.value, direct), shown.weight}, total);
+            errors_[w].indirect.add(judged.truth, shown, indirect, lamp_weight);
+            errors_[w].total.add(truth, {with(shown.value, direct), shown.weight}, total,
+                                 lamp_weight);
             errors_[w].look_for_worst(judged, visible, shown.value);
         }
         result_.places += static_cast<int>(judged.points.size());

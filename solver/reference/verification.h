@@ -48,8 +48,9 @@ struct ShownError {
     ErrorSize indirect;
     ErrorSize total;   ///< with what comes straight from the lamp, which is computed exactly
     WorstPlace worst;  ///< largest |d| [lx] among the places that were judged
-    /// By lamp: square of the relative L2 error of indirect irradiance, without bias.
-    std::vector<double> squares;
+    /// By lamp: square of the relative L2 error of indirect irradiance, without bias, and how much
+    /// the lamp counts.
+    std::vector<WeighedValue> squares;
 };
 
 struct Verification {
@@ -64,13 +65,14 @@ struct Verification {
 /// off. The same for the same seed.
 ///
 /// Unbiased: a squared error is the mean product of the residuals of two batches of paths, over all
-/// pairs of the batches of a point, which are independent (see deviation_from). Points are chosen
-/// among evenly spread ones, half of them evenly and half by the square of the irradiance that the
-/// first way shows there, since a few bright places hold most of the error; each counts by the
-/// inverse of its chance. What errors are relative to is integrated over all of them (measure_of).
+/// pairs of the batches of a point, which are independent (see deviation_from). Where the first and
+/// the last way differ much, more can be wrong: such lamps (see drawn_lamps) and such points are
+/// chosen oftener, and so are bright ones; each counts by the inverse of its chance. What errors
+/// are relative to is integrated over all candidates (measure_of).
 ///
 /// @param space  of the operator that is verified
-/// @param ways   at least one; the first should be cheap to ask at many points
+/// @param ways   at least one; the first and the last should be cheap, they are asked for many
+/// lamps
 /// @throws InputError if there is no room for lamps, or no surface that reflects
 /// @throws Interrupted if the progress says so
 Verification verify(const Scene& scene, const RadianceSpace& space, const Visibility& visibility,

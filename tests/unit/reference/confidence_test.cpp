@@ -17,7 +17,7 @@ TEST(Confidence, KnowsStudentsQuantile) {
 }
 
 TEST(Confidence, OfTheMeanIsStudents) {
-    const Interval interval = mean_interval({1, 2, 3, 4, 5});
+    const Interval interval = mean_interval({{1}, {2}, {3}, {4}, {5}});
     EXPECT_DOUBLE_EQ(interval.value, 3);
     // s = sqrt(2.5), t = 2.776
     EXPECT_NEAR(interval.high - 3, 2.776 * std::sqrt(2.5 / 5), 0.02);
@@ -25,14 +25,14 @@ TEST(Confidence, OfTheMeanIsStudents) {
 }
 
 TEST(Confidence, OfEqualErrorsIsAPoint) {
-    const Interval interval = rms_interval(std::vector<double>(9, 0.04));
+    const Interval interval = rms_interval(std::vector<WeighedValue>(9, {0.04, 1}));
     EXPECT_NEAR(interval.value, 0.2, 1e-12);
     EXPECT_NEAR(interval.low, 0.2, 1e-6);
     EXPECT_NEAR(interval.high, 0.2, 1e-6);
 }
 
 TEST(Confidence, OfErrorsBelowTheNoiseReachesDownToNothing) {
-    const Interval interval = rms_interval({-0.01, 0.012, -0.005, 0.006, 0.001});
+    const Interval interval = rms_interval({{-0.01}, {0.012}, {-0.005}, {0.006}, {0.001}});
     EXPECT_EQ(interval.low, 0);
     EXPECT_GT(interval.high, interval.value);
 }
@@ -46,13 +46,23 @@ int covered(int lights, double spread, double noise) {
     const double truth = std::exp(spread * spread);
     int hits = 0;
     for (int repetition = 0; repetition < 1000; ++repetition) {
-        std::vector<double> squares;
+        std::vector<WeighedValue> squares;
         for (int k = 0; k < lights; ++k)
-            squares.push_back(std::exp(2 * spread * normal(random)) + noise * normal(random));
+            squares.push_back({std::exp(2 * spread * normal(random)) + noise * normal(random)});
         const Interval interval = rms_interval(squares);
         if (interval.low <= truth && truth <= interval.high) ++hits;
     }
     return hits;
+}
+
+// Numbers 1 to 4, drawn with chances 1, 1/2, 1/4 and 1/4: weighed by the inverse, their mean
+// is 2.5.
+TEST(Confidence, CountsSamplesByTheInverseOfTheirChance) {
+    const Interval interval =
+        mean_interval({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {2, 2}, {2, 2}, {3, 4}, {4, 4}});
+    EXPECT_DOUBLE_EQ(interval.value, 2.5);
+    EXPECT_LT(interval.low, 2);
+    EXPECT_GT(interval.high, 3);
 }
 
 TEST(Confidence, ContainsTheTrueErrorInNinetyThreeOfAHundredRepetitions) {

@@ -8,6 +8,7 @@
 #include "solver/precompute.h"
 #include "solver/reference/error_estimate.h"
 #include "solver/reference/path_tracer.h"
+#include "solver/reference/random_stream.h"
 #include "tests/unit/reference/rooms.h"
 
 namespace lightwell {
@@ -17,27 +18,34 @@ namespace {
 struct CoarseRoom {
     CoarseRoom() {
         PrecomputeOptions coarse;
-        coarse.error = 0.3;
-        coarse.cell_size = 1;
+        coarse.error = 0.1;
+        coarse.cell_size = 0.5;
         coarse.most_attempts = 0;
         PrecomputeReport report;
         transport = precompute(scene, coarse, {}, report);
     }
 
-    /// As the basis shows it.
-    ShownLight picture() const {
-        return {"picture", [this](const PointLight& lamp, const std::vector<SurfacePoint>& points) {
-                    const RadianceField direct =
-                        projected_lights(transport.space, {lamp}, quads, occluders);
-                    return shown_at(
-                        points, transport.space,
-                        smooth_irradiance(transport.space, gathered_light(transport, direct)),
-                        quads);
-                }};
+    /// As the basis shows it, and by the stored operator alone.
+    ShownLight picture() const { return smooth("picture", gathered_light); }
+    ShownLight textures() const {
+        return smooth("textures", [](const GlobalTransport& of, const RadianceField& direct) {
+            return RadianceField(global_light(of, direct) - direct);
+        });
     }
 
     Verification verified(const std::vector<ShownLight>& ways, const VerifyOptions& options) const {
         return verify(scene, transport.space, visibility, occluders, ways, options, {});
+    }
+
+    using Propagate = std::function<RadianceField(const GlobalTransport&, const RadianceField&)>;
+    ShownLight smooth(const std::string& name, const Propagate& indirect) const {
+        return {name, [=](const PointLight& lamp, const std::vector<SurfacePoint>& points) {
+                    const RadianceField direct =
+                        projected_lights(transport.space, {lamp}, quads, occluders);
+                    return shown_at(points, transport.space,
+                                    smooth_irradiance(transport.space, indirect(transport, direct)),
+                                    quads);
+                }};
     }
 
     Scene scene =
@@ -71,8 +79,9 @@ TEST(Verification, FindsTheErrorOfShowingNothing) {
                               }};
     VerifyOptions options;
     options.noise = 0.1;
-    const Verification found = room().verified({room().picture(), darkness}, options);
-    ASSERT_EQ(found.shown.size(), 2U);
+    const Verification found =
+        room().verified({room().picture(), darkness, room().textures()}, options);
+    ASSERT_EQ(found.shown.size(), 3U);
     const ErrorSize& indirect = found.shown[1].indirect;
     EXPECT_TRUE(contains(indirect.relative_l2, 1))
         << indirect.relative_l2.low << " to " << indirect.relative_l2.high;
@@ -109,7 +118,7 @@ TEST(Verification, FindsAnErrorOfKnownSize) {
     options.lights = 30;
     options.points = 16;
     options.noise = 0.05;
-    const Verification found = r.verified({r.picture(), tinted}, options);
+    const Verification found = r.verified({r.picture(), tinted, r.textures()}, options);
     const ErrorSize& indirect = found.shown[1].indirect;
     // Half of the room lies on either side.
     const double truth = std::sqrt(0.5 * (0.1 * 0.1 + 0.05 * 0.05));
@@ -120,6 +129,30 @@ TEST(Verification, FindsAnErrorOfKnownSize) {
     // Three quarters of the surface are wrong by 10 or 5 %, nothing by much more.
     EXPECT_GT(indirect.relative[0], 0.03);
     EXPECT_LT(indirect.relative[0], 0.11);
+}
+
+// Any forty of many lamps are a repetition; all of them together tell the truth.
+TEST(Verification, ItsIntervalContainsTheTrueError) {
+    constexpr int repetitions = 400, lights = 40;
+    VerifyOptions options;
+    options.lights = 500;
+    options.points = 16;
+    options.noise = 0.2;
+    options.candidates = 200;
+    options.seed = 3;
+    const Verification all = room().verified({room().picture(), room().textures()}, options);
+    const std::vector<WeighedValue>& squares = all.shown[0].squares;
+    const double truth = all.shown[0].indirect.relative_l2.value;
+    RandomStream random(2006);
+    int covered = 0;
+    for (int r = 0; r < repetitions; ++r) {
+        std::vector<WeighedValue> some;
+        for (int k = 0; k < lights; ++k)
+            some.push_back(squares[random.below(squares.size())]);
+        if (contains(rms_interval(some), truth)) ++covered;
+    }
+    RecordProperty("covered", covered);
+    EXPECT_GE(covered, 0.93 * repetitions);
 }
 
 TEST(Verification, IsTheSameForTheSameSeedAndNotForAnother) {
