@@ -1,7 +1,6 @@
 #include "solver/precompute.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -9,11 +8,13 @@
 #include <fmt/format.h>
 
 #include "radiance4d/scene/brdf.h"
+#include "solver/glossy_precompute.h"
 #include "solver/ground.h"
 #include "solver/reference/error_estimate.h"
 #include "solver/series/calibrated_truncation.h"
 #include "solver/series/light_ensemble.h"
 #include "solver/settings.h"
+#include "solver/stage_clock.h"
 #include "solver/transport/direct_transport.h"
 #include "solver/transport/elements.h"
 #include "solver/transport/open_masks.h"
@@ -22,27 +23,6 @@
 namespace lightwell {
 
 namespace {
-
-/// Adds the time since the last lap to the named stage.
-class StageClock {
-  public:
-    explicit StageClock(std::map<std::string, double>& seconds) : seconds_(seconds) {}
-    ~StageClock() { lap("other"); }
-    StageClock(const StageClock&) = delete;
-    StageClock& operator=(const StageClock&) = delete;
-
-    void lap(const std::string& stage) {
-        const auto now = std::chrono::steady_clock::now();
-        const double passed = std::chrono::duration<double>(now - last_).count();
-        seconds_[stage] += passed;
-        seconds_["total"] += passed;
-        last_ = now;
-    }
-
-  private:
-    std::map<std::string, double>& seconds_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Removes the elements that no link touches: they see nothing after all.
 void drop_unlinked(std::vector<Element>& elements, std::vector<bool>& closed,
@@ -287,6 +267,9 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
 
 GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
                            const Progress& progress, PrecomputeReport& report) {
+    const bool glossy =
+        std::any_of(scene.materials.begin(), scene.materials.end(), is_glossy) && !options.diffuse;
+    if (glossy) return precompute_glossy(scene, options, progress, report);
     Scene diffuse = scene;
     std::transform(scene.materials.begin(), scene.materials.end(), diffuse.materials.begin(),
                    diffuse_of_equal_albedo);

@@ -29,6 +29,8 @@ struct PrecomputeOptions {
     std::uint64_t max_memory = std::uint64_t{8} << 30;
     /// Operators that may be built; 0 builds one and does not judge it.
     int most_attempts = 3;
+    /// Whether glossy materials are computed as diffuse ones of equal mean albedo.
+    bool diffuse = false;
     /// Links beyond which no further attempt is made: each about doubles them.
     std::uint64_t most_links = 12'000'000;
 };
@@ -51,8 +53,8 @@ struct PrecomputeReport {
 };
 
 /// The offline pipeline: elements, links, direct transport operator, Neumann series (WRT
-/// sections 4.2 to 4.4). Glossy materials are computed as diffuse ones of equal mean albedo; the
-/// transport's scene holds them as they are.
+/// sections 4.2 to 4.4). The transport's scene holds glossy materials as they are, however they are
+/// computed.
 ///
 /// @throws InputError    if the scene cannot be computed within max_memory (said before it starts
 /// in earnest)

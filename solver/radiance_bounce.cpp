@@ -1,5 +1,9 @@
 #include "solver/radiance_bounce.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "radiance4d/scene/brdf.h"
 #include "solver/series/bounce_truncation.h"
 #include "solver/transport/closure.h"
@@ -30,6 +34,12 @@ void set_angles(const Scene& scene, const AngularResolution& resolution,
 
 }  // namespace
 
+AngularResolution angular_resolution(double error) {
+    AngularResolution resolution;
+    resolution.tolerance = std::clamp(0.6 * std::sqrt(error / 0.05), 0.2, 0.7);
+    return resolution;
+}
+
 std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResolution& resolution) {
     std::vector<AngularNeed> needs;
     for (const Material& material : scene.materials) {
@@ -41,10 +51,9 @@ std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResoluti
     return needs;
 }
 
-RadianceBounce radiance_bounce(const Ground& ground, const RadianceBounceOptions& options,
-                               const Progress& progress) {
+DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions& options,
+                               const Progress& progress, OracleCost& cost) {
     // 1. Elements, their cells in space and direction, and what of them is open.
-    OracleCost cost;
     std::vector<Element> elements = ground.elements;
     set_cells(elements, options.cell_size, most_space_levels);
     set_angles(ground.scene, options.angle, elements);
@@ -54,28 +63,41 @@ RadianceBounce radiance_bounce(const Ground& ground, const RadianceBounceOptions
         area += element.area();
 
     // 2. Links in space, with the energy that closed sides exchange.
+    DirectedBounce bounce;
+    bounce.closed = ground.closed;
     const GeometricOracle oracle(options.oracle, ground.quads, ground.visibility, area);
     std::vector<PairLinks> pairs =
         refine_links(elements, ground.quads, ground.occluders, oracle, progress, cost);
-    close_links(elements, ground.closed, {}, pairs, progress);
+    bounce.closure = close_links(elements, ground.closed, {}, pairs, progress);
 
     // 3. Links with directions wherever a side is glossy.
     std::vector<DirectedPair> directed =
         directed_links(elements, pairs, ground.visibility, options.directions, progress, cost);
-    RadianceBounce bounce;
     bounce.directions_off = close_directions(elements, ground.closed, directed);
     for (const DirectedPair& pair : directed)
         for (const DirectedLink& link : pair.links)
             ++(link.sampled ? bounce.directed_links : bounce.links);
-    bounce.rays = cost.rays;
 
     // 4. The operator in wavelets.
     bounce.space = RadianceSpace(std::move(elements));
-    bounce.propagation =
-        BounceTruncation(bounce.space, ground.closed,
-                         directed_transport(bounce.space, directed, progress),
-                         Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(bounce.space.functions())))
-            .at(0);
+    bounce.coefficients = directed_transport(bounce.space, directed, progress);
+    return bounce;
+}
+
+RadianceBounce radiance_bounce(const Ground& ground, const RadianceBounceOptions& options,
+                               const Progress& progress) {
+    OracleCost cost;
+    DirectedBounce all = directed_bounce(ground, options, progress, cost);
+    RadianceBounce bounce;
+    const auto n = static_cast<Eigen::Index>(all.space.functions());
+    bounce.propagation = BounceTruncation(all.space, all.closed, std::move(all.coefficients),
+                                          Eigen::ArrayXd::Ones(n))
+                             .at(0);
+    bounce.space = std::move(all.space);
+    bounce.links = all.links;
+    bounce.directed_links = all.directed_links;
+    bounce.rays = cost.rays;
+    bounce.directions_off = all.directions_off;
     return bounce;
 }
 

@@ -8,6 +8,8 @@
 #include "radiance4d/operator/transport_operator.h"
 #include "radiance4d/progress.h"
 #include "solver/ground.h"
+#include "solver/transport/closure.h"
+#include "solver/transport/direct_transport.h"
 #include "solver/transport/directed_links.h"
 #include "solver/transport/geometric_oracle.h"
 
@@ -21,6 +23,10 @@ struct RadianceBounceOptions {
     DirectedLinkOptions directions;
 };
 
+/// What lobes are represented to for an error of indirect light: the last reflection, towards the
+/// eye, is not part of it.
+AngularResolution angular_resolution(double error);
+
 /// What a glossy material asks for.
 struct AngularNeed {
     std::string material;
@@ -32,6 +38,22 @@ struct AngularNeed {
 /// The needs of the glossy materials of a scene, known before anything is computed.
 std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResolution& resolution);
 
+/// The propagation P before anything is left out.
+struct DirectedBounce {
+    RadianceSpace space;
+    std::vector<bool> closed;               ///< by element: nothing escapes from it
+    std::vector<Coefficient> coefficients;  ///< see directed_transport
+    std::uint64_t links = 0;                ///< between diffuse sides
+    std::uint64_t directed_links = 0;       ///< others
+    ClosureReport closure;                  ///< of the former
+    double directions_off = 0;              ///< see close_directions
+};
+
+/// Elements, links, directed links and their operator: sides of glossy materials get the angular
+/// cells that these need, the others none.
+DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions& options,
+                               const Progress& progress, OracleCost& cost);
+
 /// The propagation P over space and direction, and what it cost.
 struct RadianceBounce {
     RadianceSpace space;
@@ -42,9 +64,8 @@ struct RadianceBounce {
     double directions_off = 0;  ///< see close_directions
 };
 
-/// Elements, links, directed links and their operator, untruncated: sides of glossy materials get
-/// the angular cells that these need, the others none. Of a scene without gloss it is the bounce of
-/// the diffuse pipeline.
+/// The operator of directed_bounce, untruncated. Of a scene without gloss it is the bounce of the
+/// diffuse pipeline.
 RadianceBounce radiance_bounce(const Ground& ground, const RadianceBounceOptions& options,
                                const Progress& progress = {});
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
+
 #include "radiance4d/basis/direction_map.h"
 #include "radiance4d/failure.h"
 #include "radiance4d/gauss_rule.h"
@@ -17,6 +19,8 @@ namespace {
 constexpr int levels_below = 2;
 /// Pairs of cells are cut in any case down to this level: no lobe of interest slips through.
 constexpr int least_level = 3;
+/// Pairs of cells of this level are integrated at once.
+constexpr int shared_level = 2;
 /// The kernel, which is rho for a diffuse surface, may vary by this over a pair of cells ...
 constexpr double allowed_variation = 0.1;
 /// ... or by this share of its mean there.
@@ -48,7 +52,11 @@ class KernelIntegral {
           levels_(levels),
           centre_(centres(square_tree(levels + levels_below + 1))),
           mean_(RowMatrix::Zero(Eigen::Index{1} << (2 * levels), Eigen::Index{1} << (2 * levels))) {
-        visit(0, 0, 0);
+        // Each pair of cells of one level writes a part of its own.
+        const int level = std::min(shared_level, levels);
+        const std::uint32_t cells = std::uint32_t{1} << (2 * level);
+        tbb::parallel_for(std::uint32_t{0}, cells * cells,
+                          [&](std::uint32_t pair) { visit(level, pair / cells, pair % cells); });
     }
 
     /// Means over the pairs of finest cells, reciprocal to the last digit.
@@ -194,7 +202,11 @@ AngularReflection AngularReflection::at_level(const Lobe& lobe, int level) {
 void AngularReflection::represent(const Lobe& lobe, int first, int last, double tolerance) {
     LIGHTWELL_CHECK_OP(first, >=, 0);
     LIGHTWELL_CHECK_OP(last, <=, 5);
-    if (std::holds_alternative<NoLobe>(lobe)) return;
+    if (std::holds_alternative<NoLobe>(lobe)) {
+        level_ = first;
+        matrix_ = RowMatrix::Zero(Eigen::Index{1} << (2 * first), Eigen::Index{1} << (2 * first));
+        return;
+    }
     const double square = kernel_square(lobe);
     const AlbedoTable albedo(lobe);
     error_by_level_.clear();

@@ -81,4 +81,9 @@ int RadianceSpace::element_on(int quad, bool front) const {
     return side < by_side_.size() ? by_side_[side] : -1;
 }
 
+bool has_angles(const RadianceSpace& space) {
+    return std::any_of(space.elements().begin(), space.elements().end(),
+                       [](const Element& element) { return element.angle.levels() > 0; });
+}
+
 }  // namespace lightwell

@@ -65,4 +65,7 @@ class RadianceSpace {
     double area_ = 0;
 };
 
+/// Whether any element has angular functions.
+bool has_angles(const RadianceSpace& space);
+
 }  // namespace lightwell

@@ -61,6 +61,14 @@ std::string flaw_of_element_quad(const Quad& quad) {
     return {};
 }
 
+/// Whether splits are those of angular_basis.
+bool is_angular_square(const std::vector<Split>& splits) {
+    constexpr std::size_t most_angular_levels = 5;
+    return splits.size() <= most_angular_levels &&
+           std::all_of(splits.begin(), splits.end(),
+                       [](Split split) { return split == Split::both; });
+}
+
 std::string flaw_of_light(const Light& light) {
     if (!position_of(light).allFinite()) return "its position is not finite";
     const auto* spot = std::get_if<SpotLight>(&light);
@@ -187,6 +195,8 @@ std::string flaw_of_space(const std::vector<ElementShape>& shapes, const Scene& 
         taken[side] = true;
         if (functions_of({shape}) > (std::uint64_t{1} << most_levels))
             return fmt::format("element {}: more than 2^{} functions", e, most_levels);
+        if (!is_angular_square(shape.angle))
+            return fmt::format("element {}: its directions are not cut as a lobe needs them", e);
         if (!shape.open.empty() && shape.open.size() != functions_of(shape.space))
             return fmt::format("element {}: {} masks of cells", e, shape.open.size());
         if (const std::string flaw = flaw_of_element_quad(scene.quads[quad].quad); !flaw.empty())

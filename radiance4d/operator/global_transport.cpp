@@ -39,6 +39,12 @@ RadianceField emission_of(const Scene& scene, const RadianceSpace& space) {
     return emission;
 }
 
+RadianceField reflected(const GlobalTransport& transport, const RadianceField& x) {
+    return has_angles(transport.space)
+               ? transport.reflection.outgoing(x)
+               : RadianceField(reflectance_of(transport.scene, transport.space) * x);
+}
+
 RadianceField propagated(const SymmetricOperator& bounce, const RadianceField& x) {
     RadianceField y = RadianceField::Zero(x.rows(), 3);
     for (int c = 0; c < 3; ++c)
@@ -51,13 +57,13 @@ RadianceField global_light(const GlobalTransport& transport, const RadianceField
 }
 
 RadianceField gathered_light(const GlobalTransport& transport, const RadianceField& direct) {
-    return propagated(transport.bounce, reflectance_of(transport.scene, transport.space) *
-                                            global_light(transport, direct));
+    return propagated(transport.bounce, reflected(transport, global_light(transport, direct)));
 }
 
 RadianceField solved_light(const GlobalTransport& transport, const RadianceField& direct,
                            double tolerance) {
     const RadianceField rho = reflectance_of(transport.scene, transport.space);
+    const bool directed = has_angles(transport.space);
     RadianceField x = global_light(transport, direct);
     // The correction contracts by the relative error of H, a few per cent; plain iteration, which a
     // damaged H falls back to, by the albedo.
@@ -65,7 +71,8 @@ RadianceField solved_light(const GlobalTransport& transport, const RadianceField
     double previous = 0;
     bool corrects = true;
     for (int step = 0;; ++step) {
-        const RadianceField bounced = propagated(transport.bounce, rho * x);
+        const RadianceField bounced = propagated(
+            transport.bounce, directed ? transport.reflection.outgoing(x) : RadianceField(rho * x));
         const RadianceField residual = direct + bounced - x;
         const double size = residual.matrix().norm();
         if (step == most_steps || size <= tolerance * x.matrix().norm()) return bounced;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radiance4d/operator/radiance_field.h"
+#include "radiance4d/operator/reflection.h"
 #include "radiance4d/operator/transport_operator.h"
 #include "radiance4d/scene/scene.h"
 
@@ -31,8 +32,11 @@ struct Provenance {
 struct GlobalTransport {
     Scene scene;
     RadianceSpace space;
-    /// The colourless geometric operator M; one bounce of channel c is T_c = M diag(rho_c).
+    /// The colourless geometric operator M; one bounce of channel c is T_c = M diag(rho_c), or
+    /// P R_c with P = M where surfaces are glossy.
     SymmetricOperator bounce;
+    /// R of a space with angular functions; not needed on others.
+    Reflection reflection;
     /// H = G - I = T + T^2 + ... for each distinct channel: a scene whose reflectances are grey has
     /// one.
     std::vector<TransportOperator> indirect;
@@ -47,6 +51,10 @@ RadianceField reflectance_of(const Scene& scene, const RadianceSpace& space);
 /// Projection of the light that the emitting quads send out: emitted luminance as a field
 /// (half-density) to be propagated by the bounce operator.
 RadianceField emission_of(const Scene& scene, const RadianceSpace& space);
+
+/// What the surfaces make of incident light x, per channel: R x, which is rho x without angular
+/// functions.
+RadianceField reflected(const GlobalTransport& transport, const RadianceField& x);
 
 /// y = M x per channel: one propagation without reflection.
 RadianceField propagated(const SymmetricOperator& bounce, const RadianceField& x);

@@ -239,6 +239,8 @@ GlobalTransport read_operator_file(const std::string& path) {
                 transport.indirect[n - 1] = file.transport("GTO", n - 1, functions, false);
         });
         transport.space = space_from(shapes, transport.scene);
+        if (has_angles(transport.space))
+            transport.reflection = Reflection(transport.scene, transport.space);
         std::string options_json;
         transport.provenance = file.provenance(options_json);
         return transport;

@@ -1,5 +1,7 @@
 #include "radiance4d/operator/reflection.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -8,13 +10,17 @@
 
 namespace lightwell {
 
-Reflection::Reflection(const Scene& scene, const RadianceSpace& space) : space_(space) {
+Reflection::Reflection(const Scene& scene, const RadianceSpace& space)
+    : functions_(space.functions()) {
     const std::vector<Rgb> means = mean_albedos(scene.materials);
     std::map<std::pair<std::size_t, int>, int> known;  // material and level -> lobe
     for (const Element& element : space.elements()) {
         const std::size_t material = scene.material_number(element.quad);
         OfElement made;
-        if (element.angle.functions() == 1) {
+        made.first = element.first;
+        made.cells = element.space.tree().functions();
+        made.angles = element.angle.functions();
+        if (made.angles == 1) {
             made.diffuse = means[material];
         } else {
             const Material& what = scene.materials[material];
@@ -22,37 +28,106 @@ Reflection::Reflection(const Scene& scene, const RadianceSpace& space) : space_(
             const auto [entry, is_new] =
                 known.try_emplace({material, level}, static_cast<int>(lobes_.size()));
             if (is_new) lobes_.push_back(AngularReflection::at_level(what.lobe, level));
-            made = {what.reflectance, lobe_reflectance(what.lobe), entry->second};
+            made.diffuse = what.reflectance;
+            made.specular = lobe_reflectance(what.lobe);
+            made.lobe = entry->second;
         }
         of_element_.push_back(made);
     }
 }
 
 RadianceField Reflection::outgoing(const RadianceField& incident) const {
-    LIGHTWELL_CHECK_OP(incident.rows(), ==, static_cast<Eigen::Index>(space_.functions()));
+    LIGHTWELL_CHECK_OP(incident.rows(), ==, static_cast<Eigen::Index>(functions_));
     RadianceField result(incident.rows(), 3);
-    for (std::size_t e = 0; e < of_element_.size(); ++e) {
-        const Element& element = space_.element(e);
-        const OfElement& what = of_element_[e];
-        const auto first = static_cast<Eigen::Index>(element.first);
-        const auto count = static_cast<Eigen::Index>(element.functions());
-        if (what.lobe < 0) {
-            result.middleRows(first, count) =
-                incident.middleRows(first, count).rowwise() * what.diffuse.transpose();
+    for (const OfElement& element : of_element_) {
+        const Eigen::Index count = element.cells * element.angles;
+        if (element.lobe < 0) {
+            result.middleRows(element.first, count) =
+                incident.middleRows(element.first, count).rowwise() * element.diffuse.transpose();
             continue;
         }
-        const RowMatrix& lobe = lobes_[static_cast<std::size_t>(what.lobe)].matrix();
-        const auto angles = static_cast<Eigen::Index>(element.angle.functions());
+        const RowMatrix& lobe = lobes_[static_cast<std::size_t>(element.lobe)].matrix();
         for (int c = 0; c < 3; ++c) {
             // One row per spatial function, one column per angular one.
-            const Eigen::Map<const RowMatrix> in(incident.col(c).data() + first, count / angles,
-                                                 angles);
-            Eigen::Map<RowMatrix> out(result.col(c).data() + first, count / angles, angles);
-            out.noalias() = what.specular[c] * (in * lobe);
-            out.col(0) += what.diffuse[c] * in.col(0);
+            const Eigen::Map<const RowMatrix> in(incident.col(c).data() + element.first,
+                                                 element.cells, element.angles);
+            Eigen::Map<RowMatrix> out(result.col(c).data() + element.first, element.cells,
+                                      element.angles);
+            out.noalias() = element.specular[c] * (in * lobe);
+            out.col(0) += element.diffuse[c] * in.col(0);
         }
     }
     return result;
+}
+
+RowMatrix Reflection::between_angles(const OfElement& element, const Rgb& shares) const {
+    RowMatrix result = RowMatrix::Zero(element.angles, element.angles);
+    if (element.lobe < 0)
+        result.diagonal().setConstant((shares * element.diffuse).sum());
+    else
+        result = (shares * element.specular).sum() *
+                 lobes_[static_cast<std::size_t>(element.lobe)].matrix();
+    if (element.lobe >= 0) result(0, 0) += (shares * element.diffuse).sum();
+    return result;
+}
+
+void Reflection::reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
+                         Eigen::Ref<Fields> outgoing) const {
+    LIGHTWELL_CHECK_OP(incident.rows(), ==, static_cast<Eigen::Index>(functions_));
+    for (const OfElement& element : of_element_) {
+        const Eigen::Index count = element.cells * element.angles;
+        if (element.lobe < 0) {
+            outgoing.middleRows(element.first, count) =
+                (shares * element.diffuse).sum() * incident.middleRows(element.first, count);
+            continue;
+        }
+        const RowMatrix angles = between_angles(element, shares);
+        for (Eigen::Index k = 0; k < element.cells; ++k) {
+            const Eigen::Index first = element.first + k * element.angles;
+            outgoing.middleRows(first, element.angles).matrix().noalias() =
+                angles * incident.middleRows(first, element.angles).matrix();
+        }
+    }
+}
+
+Eigen::SparseMatrix<double> Reflection::matrix(const Rgb& shares, double smallest) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const OfElement& element : of_element_) {
+        const RowMatrix angles = between_angles(element, shares);
+        for (Eigen::Index k = 0; k < element.cells; ++k) {
+            const Eigen::Index first = element.first + k * element.angles;
+            for (Eigen::Index a = 0; a < element.angles; ++a)
+                for (Eigen::Index b = 0; b < element.angles; ++b)
+                    if (std::abs(angles(a, b)) > smallest)
+                        entries.emplace_back(static_cast<int>(first + a),
+                                             static_cast<int>(first + b), angles(a, b));
+        }
+    }
+    const auto n = static_cast<Eigen::Index>(functions_);
+    Eigen::SparseMatrix<double> result(n, n);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+Eigen::ArrayXd Reflection::visibility(const Rgb& shares) const {
+    Eigen::ArrayXd result = Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(functions_));
+    for (const OfElement& element : of_element_) {
+        if (element.lobe < 0) continue;
+        const Eigen::ArrayXd norm =
+            between_angles(element, shares).colwise().norm().transpose().array();
+        if (!(norm[0] > 0)) continue;
+        for (Eigen::Index k = 0; k < element.cells; ++k)
+            result.segment(element.first + k * element.angles, element.angles) =
+                (norm / norm[0]).min(1.0);
+    }
+    return result;
+}
+
+bool Reflection::are_alike(int channel, int other) const {
+    return std::all_of(of_element_.begin(), of_element_.end(), [&](const OfElement& element) {
+        return element.diffuse[channel] == element.diffuse[other] &&
+               element.specular[channel] == element.specular[other];
+    });
 }
 
 RadianceField bounced_light(const SymmetricOperator& propagation, const Reflection& reflection,

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/SparseCore>
+
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/operator/radiance_field.h"
 #include "radiance4d/operator/transport_operator.h"
@@ -17,22 +19,39 @@ namespace lightwell {
 /// functions reflects by the mean albedo of its material.
 class Reflection {
   public:
-    /// Keeps a reference to the space. Computes the representation of each lobe once per angular
-    /// level that it is used at.
+    /// Of no element.
+    Reflection() = default;
+    /// Computes the representation of each lobe once per angular level that it is used at.
     Reflection(const Scene& scene, const RadianceSpace& space);
+
+    /// Fields of one channel side by side: one row per basis function.
+    using Fields = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
     /// R x: outgoing radiance, in the same basis, per channel.
     RadianceField outgoing(const RadianceField& incident) const;
+    /// R x for fields of one channel that mixes red, green and blue by shares that add up to one.
+    void reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
+                 Eigen::Ref<Fields> outgoing) const;
+    /// R of such a channel as a matrix, without the coefficients below `smallest`.
+    Eigen::SparseMatrix<double> matrix(const Rgb& shares, double smallest) const;
+    /// By basis function: norm of what becomes of it, relative to that of the angular mean, at most
+    /// one. Light that differs only in functions of which little is reflected looks the same.
+    Eigen::ArrayXd visibility(const Rgb& shares) const;
+    /// Whether two channels are reflected alike by every element.
+    bool are_alike(int channel, int other) const;
 
   private:
     /// What an element does; the lobe is index `lobe` into lobes_, -1 without one.
     struct OfElement {
+        Eigen::Index first = 0, cells = 0, angles = 0;  ///< its basis functions
         Rgb diffuse = Rgb::Zero();
         Rgb specular = Rgb::Zero();
         int lobe = -1;
     };
+    /// R between the angular functions of an element, for one channel.
+    RowMatrix between_angles(const OfElement& element, const Rgb& shares) const;
 
-    const RadianceSpace& space_;
+    std::uint32_t functions_ = 0;
     std::vector<AngularReflection> lobes_;
     std::vector<OfElement> of_element_;
 };

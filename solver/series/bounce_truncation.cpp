@@ -23,8 +23,16 @@ BounceTruncation::BounceTruncation(const RadianceSpace& space, const std::vector
     }
 }
 
+void BounceTruncation::weigh(Eigen::ArrayXd weight, Eigen::ArrayXd visibility) {
+    weight_ = std::move(weight);
+    visibility_ = std::move(visibility);
+}
+
 double BounceTruncation::magnitude(const Coefficient& c) const {
-    return std::abs(static_cast<double>(c.value)) * std::max(weight_[c.row], weight_[c.column]);
+    const double size = std::abs(static_cast<double>(c.value));
+    if (visibility_.size() == 0) return size * std::max(weight_[c.row], weight_[c.column]);
+    return size *
+           std::max(visibility_[c.row] * weight_[c.column], weight_[c.row] * visibility_[c.column]);
 }
 
 bool BounceTruncation::joins_means(const Coefficient& c) const {

@@ -25,6 +25,10 @@ class BounceTruncation {
     BounceTruncation(const RadianceSpace& space, const std::vector<bool>& closed,
                      std::vector<Coefficient> coefficients, Eigen::ArrayXd weight);
 
+    /// Takes other weights, and how much it matters what arrives in a function, in [0,1] by basis
+    /// function (see Reflection::visibility): a coefficient then counts as |value| * max(visibility
+    /// of row * weight of column, weight of row * visibility of column).
+    void weigh(Eigen::ArrayXd weight, Eigen::ArrayXd visibility);
     /// The threshold that leaves out a root of the sum of squares of `budget` (see
     /// threshold_for_budget).
     double threshold_for(double budget) const;
@@ -44,8 +48,9 @@ class BounceTruncation {
     const RadianceSpace& space_;
     std::vector<Coefficient> coefficients_;
     Eigen::ArrayXd weight_;
-    Eigen::ArrayXd uniform_;  ///< uniform light: sqrt(area) on the scaling functions of elements
-    Eigen::ArrayXd wanted_;   ///< what it is to become
+    Eigen::ArrayXd visibility_;  ///< empty: all alike
+    Eigen::ArrayXd uniform_;     ///< uniform light: sqrt(area) on the scaling functions of elements
+    Eigen::ArrayXd wanted_;      ///< what it is to become
 };
 
 }  // namespace lightwell

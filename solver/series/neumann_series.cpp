@@ -58,14 +58,19 @@ double largest_weighted(const Sparse& matrix, const TruncationRule& rule) {
     double largest = 0;
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
         for (Sparse::InnerIterator it(matrix, j); it; ++it)
-            largest = std::max(largest, std::abs(it.value()) * rule.weight[j]);
+            largest = std::max(largest, weighted(rule, it.row(), j, it.value()));
     return largest;
 }
 
 }  // namespace
 
+double weighted(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value) {
+    const double size = std::abs(value) * rule.weight[column];
+    return rule.visibility.size() == 0 ? size : size * rule.visibility[row];
+}
+
 bool is_kept(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value) {
-    return std::abs(value) * rule.weight[column] >= rule.threshold ||
+    return weighted(rule, row, column, value) >= rule.threshold ||
            (rule.is_mean[static_cast<std::size_t>(row)] &&
             rule.is_mean[static_cast<std::size_t>(column)]);
 }

@@ -13,12 +13,17 @@ struct TruncationRule {
     /// By column: expected magnitude of that coefficient of the light, in units in which the
     /// light's indirect part has norm one (see LightEnsemble).
     Eigen::ArrayXd weight;
-    /// A coefficient a_ij is dropped when |a_ij| weight_j is below this.
+    /// A coefficient a_ij is dropped when visibility_i |a_ij| weight_j is below this.
     double threshold = 0;
     /// By basis function: whether it is the scaling function of a whole element. Coefficients
     /// between two of these are never dropped.
     std::vector<bool> is_mean;
+    /// By row: how much it matters what arrives there, in [0,1]; empty if all rows matter alike.
+    Eigen::ArrayXd visibility = {};
 };
+
+/// What a coefficient counts for.
+double weighted(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value);
 
 /// Whether the rule keeps a coefficient.
 bool is_kept(const TruncationRule& rule, Eigen::Index row, Eigen::Index column, double value);

@@ -11,22 +11,6 @@ namespace {
 
 constexpr Eigen::Index lanes = LightBlock::ColsAtCompileTime;
 
-/// M x.
-LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x) {
-    LightBlock y = LightBlock::Zero(x.rows(), lanes);
-    const TransportOperator& upper = bounce.upper;
-    for (std::uint32_t column = 0; column < upper.size; ++column) {
-        for (std::uint64_t k = upper.column_start[column]; k < upper.column_start[column + 1];
-             ++k) {
-            const std::uint32_t row = upper.row[k];
-            const auto value = static_cast<double>(upper.value[k]);
-            y.row(row) += value * x.row(column);
-            if (row != column) y.row(column) += value * x.row(row);
-        }
-    }
-    return y;
-}
-
 /// sum_j h_ij x_j over the coefficients that `is_kept(i, j, h_ij)`.
 template <typename IsKept>
 LightBlock applied(const Eigen::SparseMatrix<double>& global, const LightBlock& x,
@@ -41,6 +25,21 @@ LightBlock applied(const Eigen::SparseMatrix<double>& global, const LightBlock& 
 }
 
 }  // namespace
+
+LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x) {
+    LightBlock y = LightBlock::Zero(x.rows(), lanes);
+    const TransportOperator& upper = bounce.upper;
+    for (std::uint32_t column = 0; column < upper.size; ++column) {
+        for (std::uint64_t k = upper.column_start[column]; k < upper.column_start[column + 1];
+             ++k) {
+            const std::uint32_t row = upper.row[k];
+            const auto value = static_cast<double>(upper.value[k]);
+            y.row(row) += value * x.row(column);
+            if (row != column) y.row(column) += value * x.row(row);
+        }
+    }
+    return y;
+}
 
 TrialLights trial_lights(const std::vector<Eigen::ArrayXd>& fields) {
     TrialLights blocks;

@@ -18,6 +18,9 @@ using TrialLights = std::vector<LightBlock>;
 /// Packs fields of one channel into blocks.
 TrialLights trial_lights(const std::vector<Eigen::ArrayXd>& fields);
 
+/// M x.
+LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x);
+
 /// Indirect light x = T (E + x), T = M diag(reflectance), solved to 1e-4: by correction steps with
 /// H (I + H, an approximate inverse of I - T), or, without one, by at most 40 plain iterations.
 /// Blocks run in parallel.

@@ -30,7 +30,7 @@ struct DirectedPair {
 
 struct DirectedLinkOptions {
     /// Rays from each pair of a finest spatial and a finest angular cell; at least 1.
-    int rays = 64;
+    int rays = 24;
 };
 
 /// The links that carry direction. Between elements without angular functions they are the given

@@ -9,7 +9,7 @@
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/operator/operator_file.h"
-#include "radiance4d/scene/brdf.h"
+#include "solver/radiance_bounce.h"
 #include "solver/reading/input_file.h"
 #include "viewer/commands/output.h"
 #include "viewer/commands/precompute_report.h"
@@ -49,16 +49,17 @@ std::string options_json(const PrecomputeOptions& options) {
     return json.dump();
 }
 
-/// Says which materials are simpler in the computation than in the scene.
-void warn_of_gloss(const Scene& scene) {
-    std::string names;
-    for (const Material& material : scene.materials)
-        if (is_glossy(material)) names += (names.empty() ? "" : ", ") + in_quotes(material.name);
-    if (!names.empty())
-        print_message(fmt::format(
-            "warning: {}: glossy; light is computed as if the surface were diffuse with the same "
-            "mean albedo, without reflections that depend on direction",
-            names));
+/// Says which lobes are narrower than their representation can follow at the error asked for.
+void warn_of_gloss(const Scene& scene, const PrecomputeOptions& options) {
+    if (options.diffuse) return;
+    for (const AngularNeed& need : angular_needs(scene, angular_resolution(options.error)))
+        if (!need.follows)
+            print_message(fmt::format(
+                "warning: {}: its reflections are too sharp for --error {:.3g}: with the finest "
+                "directions there are, light that it reflects is off by {:.0f} %, mostly within "
+                "its "
+                "highlights. What an eye sees in it directly is sharper.",
+                in_quotes(need.material), options.error, 100 * need.error));
 }
 
 GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
@@ -82,7 +83,7 @@ void run_precompute(const PrecomputeRequest& request) {
     if (!request.quiet)
         for (const Warning& warning : read.report.warnings)
             print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
-    warn_of_gloss(read.scene);
+    warn_of_gloss(read.scene, request.options);
     if (!request.quiet && request.options.truncation == 0.0)
         print_message(
             "warning: --truncation 0 keeps every coefficient of every bounce: memory and file grow "

@@ -86,7 +86,7 @@ GlobalTransport sample_transport(std::uint32_t per_column) {
     transport.space = RadianceSpace(
         {element_of(scene, 0, true, {S::u, S::both}, {}),
          element_of(scene, 0, false, {}, {S::both}),
-         element_of(scene, 2, true, {S::both, S::v}, {S::both, S::u},
+         element_of(scene, 2, true, {S::both, S::v}, {S::both, S::both},
                     {all_open, 0, 1, 0xff00ff, all_open, all_open, 7, all_open}),
          element_of(scene, 1, false, {S::v}, {}), element_of(scene, 3, true, {}, {})});
     const std::uint32_t size = transport.space.functions();

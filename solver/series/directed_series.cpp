@@ -1,0 +1,230 @@
+#include "solver/series/directed_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "solver/series/neumann_series.h"
+#include "solver/series/truncation.h"
+
+namespace lightwell {
+
+namespace {
+
+/// The budget of independent errors that comes near a measured one.
+constexpr double independent_share = 0.3;
+/// Coefficients of R below this are no part of T: R has norm one at most.
+constexpr double smallest_reflection = 2e-4;
+
+Rgb grey() {
+    return Rgb::Constant(1.0 / 3);
+}
+
+/// Light as it is seen.
+TrialLights seen(TrialLights lights, const Eigen::ArrayXd& visibility) {
+    for (LightBlock& block : lights)
+        block.colwise() *= visibility;
+    return lights;
+}
+
+/// No function is expected to stay dark: a light may come to stand where none of the ensemble did.
+/// Raises every weight to a share of the root mean square over the functions of like support.
+void raise_to_floor(const RadianceSpace& space, Eigen::ArrayXd& weight) {
+    constexpr double share = 0.1;
+    std::map<std::pair<int, int>, std::pair<double, double>> squares_and_count;
+    std::vector<std::pair<int, int>> kind(static_cast<std::size_t>(weight.size()));
+    for (const Element& element : space.elements()) {
+        const CellTree& tree = element.space.tree();
+        const std::uint32_t angles = element.angle.functions();
+        for (std::uint32_t f = 0; f < tree.functions(); ++f) {
+            const int size = std::ilogb(element.space.area(tree.support(f)));
+            for (std::uint32_t a = 0; a < angles; ++a) {
+                const auto j = element.first + f * angles + a;
+                kind[j] = {size, a == 0 ? -1 : element.angle.level_of_function(a)};
+                auto& [squares, count] = squares_and_count[kind[j]];
+                squares += weight[j] * weight[j];
+                count += 1;
+            }
+        }
+    }
+    for (Eigen::Index j = 0; j < weight.size(); ++j) {
+        const auto& [squares, count] = squares_and_count[kind[static_cast<std::size_t>(j)]];
+        weight[j] = std::max(weight[j], share * std::sqrt(squares / count));
+    }
+}
+
+std::vector<double> magnitudes_of(const Eigen::SparseMatrix<double>& matrix,
+                                  const TruncationRule& rule) {
+    std::vector<double> magnitudes;
+    magnitudes.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
+            magnitudes.push_back(weighted(rule, it.row(), j, it.value()));
+    return magnitudes;
+}
+
+}  // namespace
+
+TrialLights solved_directed(const SymmetricOperator& propagation, const Reflection& reflection,
+                            const Rgb& shares, const TrialLights& direct, double tolerance,
+                            const Progress& progress) {
+    constexpr int most_steps = 400;
+    TrialLights solved(direct.size());
+    tbb::parallel_for(std::size_t{0}, direct.size(), [&](std::size_t b) {
+        LightBlock& x = solved[b];
+        x = LightBlock::Zero(direct[b].rows(), direct[b].cols());
+        LightBlock outgoing = x;
+        for (int step = 0; step < most_steps; ++step) {
+            progress.check();
+            reflection.reflect(shares, direct[b] + x, outgoing);
+            LightBlock next = propagated(propagation, outgoing);
+            const double change = (next - x).matrix().norm();
+            x = std::move(next);
+            if (change <= tolerance * x.matrix().norm()) break;
+        }
+    });
+    return solved;
+}
+
+DirectedWeights directed_weights(const SymmetricOperator& propagation, const RadianceSpace& space,
+                                 const Reflection& reflection, const TrialLights& lights,
+                                 const Progress& progress) {
+    const auto n = static_cast<Eigen::Index>(space.functions());
+    DirectedWeights weights{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
+    constexpr double rough = 0.02;
+    const TrialLights indirect =
+        solved_directed(propagation, reflection, grey(), lights, rough, progress);
+    double squares = 0, count = 0;
+    for (const LightBlock& block : indirect)
+        for (Eigen::Index lane = 0; lane < block.cols(); ++lane) {
+            const double square = block.col(lane).square().sum();
+            squares += square;
+            count += square > 0 ? 1 : 0;
+        }
+    if (!(squares > 0)) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
+    // A light that almost nothing reflects must not count for more than the others.
+    const double least = 0.25 * squares / count;
+    for (std::size_t b = 0; b < lights.size(); ++b) {
+        LightBlock outgoing = indirect[b];
+        reflection.reflect(grey(), lights[b] + indirect[b], outgoing);
+        for (Eigen::Index lane = 0; lane < lights[b].cols(); ++lane) {
+            const double scale =
+                1 / (std::max(indirect[b].col(lane).square().sum(), least) * count);
+            weights.direct += scale * lights[b].col(lane).square();
+            weights.outgoing += scale * outgoing.col(lane).square();
+        }
+    }
+    weights.direct = weights.direct.sqrt();
+    weights.outgoing = weights.outgoing.sqrt();
+    raise_to_floor(space, weights.direct);
+    raise_to_floor(space, weights.outgoing);
+    return weights;
+}
+
+SymmetricOperator truncated_propagation(BounceTruncation truncation,
+                                        const SymmetricOperator& untruncated,
+                                        const DirectedWeights& weights,
+                                        const Reflection& reflection, const TrialLights& tried,
+                                        double target, const Progress& progress) {
+    if (target == 0 || tried.empty()) return untruncated;
+    constexpr double close_enough = 1e-3;
+    const Eigen::ArrayXd visibility = reflection.visibility(grey());
+    truncation.weigh(weights.outgoing, visibility);
+    const auto light_on = [&](const SymmetricOperator& propagation) {
+        return seen(solved_directed(propagation, reflection, grey(), tried, close_enough, progress),
+                    visibility);
+    };
+    const TrialLights reference = light_on(untruncated);
+    const double guess = truncation.threshold_for(independent_share * target);
+    const double threshold = calibrated_threshold(guess, target, [&](double at) {
+        return relative_change(light_on(truncation.at(at)), reference);
+    });
+    return truncation.at(threshold);
+}
+
+namespace {
+
+/// H of one channel, within the target.
+NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
+                               const GlobalTransport& transport, const Rgb& shares,
+                               const TrialLights& tried, double target, TruncationRule rule,
+                               const Eigen::ArrayXd& outgoing, const Progress& progress) {
+    const Eigen::SparseMatrix<double> reflection =
+        transport.reflection.matrix(shares, smallest_reflection);
+    if (target == 0 || tried.empty()) {
+        rule.threshold = 0;
+        return neumann_series(truncated_product(propagation, reflection, rule, progress), rule,
+                              progress);
+    }
+    constexpr double share_of_powers = 0.75, close_enough = 1e-3;
+    constexpr int most_passes = 4;
+    const TrialLights solved = seen(solved_directed(transport.bounce, transport.reflection, shares,
+                                                    tried, close_enough, progress),
+                                    rule.visibility);
+    const auto error_of = [&](const Eigen::SparseMatrix<double>& sum, const TruncationRule& with) {
+        return relative_change(seen(truncated_indirect(sum, with, tried), rule.visibility), solved);
+    };
+    // A first T by what its own coefficients cost; the powers are truncated while they are formed,
+    // and if that alone costs too much, less is.
+    constexpr double negligible = 0.05;
+    TruncationRule first = rule;
+    first.weight = outgoing;
+    first.threshold = negligible * threshold_for_budget(magnitudes_of(propagation, first),
+                                                        independent_share * target);
+    first.weight = rule.weight;
+    const Eigen::SparseMatrix<double> one_bounce =
+        truncated_product(propagation, reflection, first, progress);
+    const double guess =
+        threshold_for_budget(magnitudes_of(one_bounce, rule), independent_share * target);
+    rule.threshold = 0.5 * guess;
+    NeumannSeries series;
+    for (int pass = 0; pass < most_passes; ++pass, rule.threshold *= 0.4) {
+        series = neumann_series(one_bounce, rule, progress);
+        if (error_of(series.sum, rule) <= share_of_powers * target) break;
+    }
+    TruncationRule wider = rule;
+    const double threshold = calibrated_threshold(guess, target, [&](double at) {
+        wider.threshold = at;
+        return error_of(series.sum, wider);
+    });
+    if (threshold > rule.threshold) {
+        rule.threshold = threshold;
+        series.sum = truncated(series.sum, rule);
+    }
+    return series;
+}
+
+}  // namespace
+
+void sum_directed_series(const DirectedWeights& weights, const TrialLights& tried, double target,
+                         const Progress& progress, GlobalTransport& transport) {
+    TruncationRule rule;
+    rule.weight = weights.direct;
+    rule.is_mean.assign(transport.space.functions(), false);
+    for (const Element& element : transport.space.elements())
+        rule.is_mean[element.first] = true;
+    const Eigen::SparseMatrix<double> propagation =
+        to_matrix(transport.bounce,
+                  Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(transport.space.functions())));
+    std::vector<int> first_of;  // the first channel that uses each operator
+    for (int c = 0; c < 3; ++c) {
+        const auto same = std::find_if(first_of.begin(), first_of.end(), [&](int earlier) {
+            return transport.reflection.are_alike(earlier, c);
+        });
+        transport.channel[static_cast<std::size_t>(c)] = static_cast<int>(same - first_of.begin());
+        if (same != first_of.end()) continue;
+        first_of.push_back(c);
+        Rgb shares = Rgb::Zero();
+        shares[c] = 1;
+        rule.visibility = transport.reflection.visibility(shares);
+        const NeumannSeries series = truncated_series(propagation, transport, shares, tried, target,
+                                                      rule, weights.outgoing, progress);
+        transport.indirect.push_back(to_operator(series.sum));
+        transport.provenance.bounces = std::max(transport.provenance.bounces, series.bounces);
+    }
+}
+
+}  // namespace lightwell

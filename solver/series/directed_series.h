@@ -1,0 +1,44 @@
+#pragma once
+
+#include "radiance4d/operator/global_transport.h"
+#include "radiance4d/progress.h"
+#include "solver/series/bounce_truncation.h"
+#include "solver/series/calibrated_truncation.h"
+#include "solver/series/trial_lights.h"
+
+namespace lightwell {
+
+// The counterparts of calibrated_truncation.h for spaces with angular functions, where reflection R
+// is no diagonal: one bounce is T = P R, and H = P (R H) + P R.
+
+/// How much a basis function can be expected to carry, over point lights anywhere in the scene,
+/// each scaled so that its indirect light has norm one.
+struct DirectedWeights {
+    Eigen::ArrayXd direct;    ///< root mean square of the direct light: what columns of H see
+    Eigen::ArrayXd outgoing;  ///< of R (E + H E): what columns of P see
+};
+
+/// The light R (E + X), X = P R (E + X), of lights side by side by plain iteration to a relative
+/// `tolerance`: X.
+TrialLights solved_directed(const SymmetricOperator& propagation, const Reflection& reflection,
+                            const Rgb& shares, const TrialLights& direct, double tolerance,
+                            const Progress& progress);
+
+/// Weights from lights and the propagation, untruncated.
+DirectedWeights directed_weights(const SymmetricOperator& propagation, const RadianceSpace& space,
+                                 const Reflection& reflection, const TrialLights& lights,
+                                 const Progress& progress);
+
+/// P with as few coefficients as the target allows. Changes of light count as they are seen: by
+/// Reflection::visibility.
+SymmetricOperator truncated_propagation(BounceTruncation truncation,
+                                        const SymmetricOperator& untruncated,
+                                        const DirectedWeights& weights,
+                                        const Reflection& reflection, const TrialLights& tried,
+                                        double target, const Progress& progress);
+
+/// As sum_series. The scene, the space, the propagation and the reflection are there already.
+void sum_directed_series(const DirectedWeights& weights, const TrialLights& tried, double target,
+                         const Progress& progress, GlobalTransport& transport);
+
+}  // namespace lightwell
