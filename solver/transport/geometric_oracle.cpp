@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "solver/transport/kernel.h"
 #include "solver/transport/kernel_samples.h"
@@ -42,11 +43,26 @@ unsigned refine_by_variance(const LinkGeometry& link, const KernelVariation& var
     return sides != 0 ? sides : receiver_space | sender_space;
 }
 
+/// Areas of the children's parts in front of the other side's plane, or what they are alike in if
+/// these are too narrow to have any.
+std::array<double, 4> areas_in_front(const Element& element, const std::array<Cell, 4>& children,
+                                     int count, const Facet& own, const Facet& other) {
+    std::array<double, 4> area{};
+    for (int i = 0; i < count; ++i) {
+        const Facet whole = Facet::of(element.cell(children[i]), own.normal);
+        area[i] = whole.in_front_of(other.normal, other.normal.dot(other[0]), 0).area();
+    }
+    if (!(*std::max_element(area.begin(), area.end()) > 0)) area.fill(1);
+    return area;
+}
+
 /// Shares the exact exchange area of the whole link among its strata: by the kernel over all of
 /// each, times the open share of each, times the share of that which is seen.
 void share(double whole, const LinkGeometry& link, const LinkChildren& children,
            const std::array<std::array<double, 4>, 4>& kernel,
            const std::array<std::array<double, 4>, 4>& seen, LinkStrata& strata) {
+    // Where the samples add up to less than this share of the whole, they looked away, to rounding.
+    constexpr double said_nothing = 1e-6;
     double sum = 0;
     std::array<double, 4> area_x{}, area_y{};
     for (int i = 0; i < children.receivers; ++i)
@@ -56,12 +72,22 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
     for (int i = 0; i < children.receivers; ++i)
         for (int j = 0; j < children.senders; ++j)
             sum += kernel[i][j] * area_x[i] * area_y[j];
-    // Where every sample looked away the facets are slivers: their exchange is spread evenly.
-    const double even = 1.0 / (children.receivers * children.senders);
+    const bool by_kernel = sum > said_nothing * whole;
+    // Else their exchange is spread over what is in front.
+    double in_front_x = 0, in_front_y = 0;
+    if (!by_kernel) {
+        area_x = areas_in_front(*link.receiver, children.receiver, children.receivers,
+                                link.receiver_facet, link.sender_facet);
+        area_y = areas_in_front(*link.sender, children.sender, children.senders, link.sender_facet,
+                                link.receiver_facet);
+        in_front_x = std::accumulate(area_x.begin(), area_x.begin() + children.receivers, 0.0);
+        in_front_y = std::accumulate(area_y.begin(), area_y.begin() + children.senders, 0.0);
+    }
     const OpenShares open = open_shares(link, children);
     for (int i = 0; i < children.receivers; ++i) {
         for (int j = 0; j < children.senders; ++j) {
-            const double part = sum > 0 ? kernel[i][j] * area_x[i] * area_y[j] / sum : even;
+            const double part = area_x[i] * area_y[j] *
+                                (by_kernel ? kernel[i][j] / sum : 1 / (in_front_x * in_front_y));
             strata.exchange[i][j] = whole * part * open.receiver[i] * open.sender[j] * seen[i][j];
         }
     }

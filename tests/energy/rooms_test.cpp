@@ -3,11 +3,9 @@
 
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "solver/reading/scene_reader.h"
-#include "solver/reading/wall_cutting.h"
 #include "tests/energy/solved_scene.h"
 #include "tests/shared_reference.h"
 #include "tests/unit/transport/box.h"
@@ -125,102 +123,6 @@ TEST(TwoRooms, NotAPhotonReachesTheSecond) {
     EXPECT_GE(dark, 6);
     // The balance of energy of the first room; half of the light in it is indirect.
     EXPECT_NEAR(flux / area, 5 * M_PI, 5e-3 * 5 * M_PI);
-}
-
-/// A hall of one quad a wall, parted into two closed rooms by a wall at x = 3.3 m of this
-/// thickness [m].
-Scene parted_hall(double thickness) {
-    std::array<Rgb, 6> reflectance;
-    reflectance.fill(Rgb::Constant(0.5));
-    Scene scene = box_scene({8, 4, 3}, reflectance);
-    if (thickness > 0)
-        add_block(scene, {3.3, 0, 0}, {3.3 + thickness, 4, 3}, Rgb::Constant(0.5));
-    else
-        add_quad(scene, {{Vec3(3.3, 0, 0), Vec3(3.3, 4, 0), Vec3(3.3, 4, 3), Vec3(3.3, 0, 3)}},
-                 Rgb::Constant(0.5));
-    return scene;
-}
-
-/// The largest irradiance of a cell in the second room, as a share of the mean in the first.
-double leak_into_second_room(const Scene& scene) {
-    const SolvedScene solved = testing::solved_scene(scene, {lamp_at({1.5, 2, 1.5})}, 0.05);
-    double worst = 0, flux = 0, area = 0;
-    for (std::size_t e = 0; e < solved.transport.space.elements().size(); ++e) {
-        const Element& element = solved.transport.space.element(e);
-        const Vec3 before = element.geometry.centre() + 1e-3 * element.geometry.normal();
-        if (before[0] > 3.3) {
-            worst = std::max(worst, solved.total(e).abs().maxCoeff());
-        } else {
-            flux += element.area() * solved.mean_indirect(e)[0];
-            area += element.area();
-        }
-    }
-    return worst / (flux / area);
-}
-
-// Floor, ceiling and long walls pass through both rooms.
-TEST(PartedHall, IsDarkBehindTheWallOnceItIsCutAlongIt) {
-    for (const double thickness : {0.0, 0.1}) {
-        SCOPED_TRACE(thickness);
-        Scene scene = parted_hall(thickness);
-        scene.quads = cut_along_walls(scene.quads).quads;
-        EXPECT_LT(leak_into_second_room(scene), 1e-6);
-    }
-    // Without the cut, cells lie on both sides of the wall.
-    EXPECT_GT(leak_into_second_room(parted_hall(0)), 1e-3);
-}
-
-/// A room with a block and four colours of grey.
-Scene furnished() {
-    std::array<Rgb, 6> reflectance;
-    for (std::size_t w = 0; w < 6; ++w)
-        reflectance[w] = Rgb::Constant(0.3 + 0.1 * static_cast<double>(w));
-    Scene scene = box_scene({4, 3, 2.5}, reflectance);
-    add_block(scene, {1, 1, 0}, {2, 2, 1}, Rgb::Constant(0.6));
-    for (Material& material : scene.materials)
-        material.reflecting = Sides::front;
-    return scene;
-}
-
-TEST(Frame, TurningAndMovingARoomChangesNothing) {
-    const Vec3 lamp(3, 1, 2);
-    const SolvedScene plain = testing::solved_scene(furnished(), {lamp_at(lamp)}, 0.05);
-    const Eigen::Affine3d by = Eigen::Translation3d(1000, -1000, 500) *
-                               Eigen::AngleAxisd(37 * M_PI / 180, Vec3(1, 2, 3).normalized());
-    Scene scene = furnished();
-    for (SceneQuad& q : scene.quads)
-        for (Vec3& v : q.quad.vertex)
-            v = by * v;
-    const SolvedScene moved = testing::solved_scene(scene, {lamp_at(by * lamp)}, 0.05);
-    ASSERT_EQ(moved.transport.space.functions(), plain.transport.space.functions());
-    const RadianceField& a = plain.lighting.indirect;
-    const RadianceField& b = moved.lighting.indirect;
-    EXPECT_LT((a - b).matrix().norm(), 1e-5 * a.matrix().norm());
-    EXPECT_LT((plain.lighting.direct - moved.lighting.direct).matrix().norm(),
-              1e-6 * plain.lighting.direct.matrix().norm());
-}
-
-TEST(Reciprocity, LampAndSensorChangePlaces) {
-    const SolvedScene room = testing::solved_scene(furnished(), {}, 0.05);
-    const auto n = static_cast<Eigen::Index>(room.transport.space.functions());
-    const Eigen::ArrayXd rho = reflectance_of(room.transport.scene, room.transport.space).col(0);
-    // Light put on one wall and read on another, both ways: rho_s A_s G_rs = rho_r A_r G_sr.
-    const auto exchanged = [&](std::size_t from, std::size_t to, bool solved) {
-        RadianceField source = RadianceField::Zero(n, 3);
-        const std::uint32_t s = room.transport.space.element(from).first;
-        source.row(s).setConstant(1);
-        const RadianceField light =
-            solved ? solved_light(room.transport, source) : gathered_light(room.transport, source);
-        const std::uint32_t r = room.transport.space.element(to).first;
-        return light(r, 0) * rho[r];
-    };
-    for (const std::size_t from : {0U, 3U, 7U})
-        for (const std::size_t to : {1U, 4U, 10U}) {
-            const double forth = exchanged(from, to, true), back = exchanged(to, from, true);
-            EXPECT_NEAR(forth, back, 1e-5 * std::abs(forth) + 1e-9) << from << " to " << to;
-            const double stored = exchanged(from, to, false);
-            EXPECT_NEAR(stored, exchanged(to, from, false), 0.05 * std::abs(stored) + 1e-6);
-        }
 }
 
 }  // namespace
