@@ -205,7 +205,8 @@ TEST_F(CornellBoxWindow, ShowsEveryPictureAndWritesIt) {
 
 TEST_F(CornellBoxWindow, ThePanelTakesTheInputThatIsMeantForIt) {
     // A drag and letters on the panel neither look around nor walk.
-    const Json visit = replayed("frames 2 0.02\n" + drag(20, 60, 90, 75) + "text 63\nframe 0.02\n");
+    const Json visit =
+        replayed("frames 2 0.02\n" + drag(320, 60, 380, 75) + "text 63\nframe 0.02\n");
     EXPECT_NEAR(visit["forward"][1].get<double>(), 1, 1e-9);
     EXPECT_EQ(visit["help"], true);
 }
@@ -234,6 +235,30 @@ TEST_F(CornellBoxWindow, FilesAreDroppedOnIt) {
     ASSERT_EQ(visit["lights"].size(), 2u);
     EXPECT_EQ(visit["lights"][1]["intensity"][0], 7);
     EXPECT_NE(visit["messages"].back().get<std::string>().find("none.gto"), std::string::npos);
+}
+
+TEST_F(CornellBoxWindow, WithoutOpenGl33ItSaysSoAndEndsWith2) {
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.2", 1);
+    const ProgramRun run = lightwell({"view", file_});
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("OpenGL 3.3"), std::string::npos) << run.err;
+}
+
+TEST_F(CornellBoxWindow, ReadsTheFileAgainWhenAnotherTakesItsName) {
+    if (!is_installed("xdotool")) GTEST_SKIP() << "xdotool is not installed";
+    const ScratchFolder other;
+    const std::string furnace = precomputed(other, sample_scene("furnace"));
+    auto ended = std::async(std::launch::async, [&] {
+        return lightwell({"view", file_, "--size", "200x150"});
+    });
+    EXPECT_NE(xdotool("search --sync --onlyvisible --name '^Lightwell: Cornell'"), "");
+    std::filesystem::copy_file(furnace, file_ + ".new");
+    std::filesystem::rename(file_ + ".new", file_);
+    EXPECT_NE(xdotool("search --sync --onlyvisible --name '^Lightwell: [Ff]urnace'"), "");
+    xdotool("mousemove 20 100 key ctrl+q");
+    ASSERT_EQ(ended.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    EXPECT_EQ(ended.get().status, 0);
 }
 
 /// Runs while real keys and a real mouse act on the window.

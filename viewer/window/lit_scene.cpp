@@ -71,19 +71,20 @@ LitScene::LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader&
     : opened_(std::move(opened)),
       frame_(opened_->transport, chosen_projection(*opened_, loader)),
       renderer_(opened_->transport, loader),
+      canvas_(loader),
       finish_(loader("glFinish")) {
     LIGHTWELL_CHECK(finish_ != nullptr);
 }
 
 LitScene::~LitScene() = default;
 
-void LitScene::light(const std::vector<Light>& lights, const UpdateOptions& options,
+bool LitScene::light(const std::vector<Light>& lights, const UpdateOptions& options,
                      bool wants_exact) {
     times_ = {};
     const bool changed = !lit_ || !shine_alike(*lit_, lights);
     const bool misses_exact = wants_exact && !exact_;
     if (!wants_exact) exact_.reset();
-    if (!changed && is_at_rest() && !misses_exact) return;
+    if (!changed && is_at_rest() && !misses_exact) return false;
 
     report_ = frame_.light(lights, options);
     double since = steady_seconds();
@@ -98,11 +99,17 @@ void LitScene::light(const std::vector<Light>& lights, const UpdateOptions& opti
     times_.projection = report_.projection_seconds;
     times_.propagation = report_.propagation_seconds;
     times_.synthesis = report_.synthesis_seconds;
+    return true;
 }
 
-void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height) {
+void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height,
+                    int coarseness) {
     double since = steady_seconds();
-    renderer_.draw(camera, view, width, height);
+    canvas_.draw(width, height, coarseness, [&](int columns, int rows) {
+        FrameView drawn = view;
+        if (coarseness > 1) drawn.samples = 1;
+        renderer_.draw(camera, drawn, columns, rows);
+    });
     finish_();
     times_.drawing = lap(since);
 }

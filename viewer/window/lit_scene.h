@@ -7,6 +7,7 @@
 #include "runtime/drawing/frame_renderer.h"
 #include "runtime/frame.h"
 #include "viewer/commands/opened_operator.h"
+#include "viewer/window/picture_canvas.h"
 #include "viewer/window/stage_times.h"
 
 namespace lightwell {
@@ -24,19 +25,23 @@ class LitScene {
 
     /// Lights the scene anew where the lights have changed, or where X is not exact yet.
     /// @param wants_exact  keep textures of the exact product too, for Picture::difference
-    void light(const std::vector<Light>& lights, const UpdateOptions& options, bool wants_exact);
+    /// @return whether that may have changed the picture
+    bool light(const std::vector<Light>& lights, const UpdateOptions& options, bool wants_exact);
     /// Whether light() with the same lights would change nothing.
     bool is_at_rest() const { return report_.update.pending == 0; }
 
-    /// Draws into the framebuffer that is bound; returns when the picture is complete.
-    void draw(const Camera& camera, const FrameView& view, int width, int height);
+    /// Draws a picture and keeps it, with a pixel for each coarseness x coarseness; returns when it
+    /// is complete.
+    void draw(const Camera& camera, const FrameView& view, int width, int height, int coarseness);
+    /// Puts the picture kept over the framebuffer that is bound, from its lower left corner on.
+    void show() { canvas_.show(); }
     LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height) {
         return renderer_.linear(camera, view, width, height);
     }
 
     /// Indirect illuminance [lx] at a point of a surface, as the picture shows it.
     Rgb indirect_at(int quad, bool front, const Vec3& point) const;
-    /// Of the last light() and the last draw().
+    /// Of the last light() and a draw() after it.
     const StageTimes& times() const { return times_; }
     const UpdateReport& update() const { return report_.update; }
 
@@ -46,6 +51,7 @@ class LitScene {
     std::shared_ptr<const OpenedOperator> opened_;
     Frame frame_;
     FrameRenderer renderer_;
+    PictureCanvas canvas_;
     void (*finish_)();  ///< glFinish
     std::optional<std::vector<Light>> lit_;
     FrameReport report_;

@@ -19,11 +19,14 @@ bool section(const char* name, bool open) {
 
 }  // namespace
 
+int panel_width() {
+    return static_cast<int>(letters(24));
+}
+
 void show_panel(const PanelSubject& subject) {
-    const float margin = letters(0.6);
-    ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_Once);
-    ImGui::SetNextWindowSize(ImVec2(letters(24), static_cast<float>(subject.height) - 2 * margin),
-                             ImGuiCond_Always);
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(all.x, 0), ImGuiCond_Always, ImVec2(1, 0));
+    ImGui::SetNextWindowSize(ImVec2(static_cast<float>(panel_width()), all.y));
     ImGui::SetNextWindowBgAlpha(0.85F);
     if (ImGui::Begin(
             "Lightwell", nullptr,
@@ -98,6 +101,7 @@ void show_loading(const PanelSubject& subject) {
 void show_help(Visit& visit) {
     if (!visit.shows_help) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowFocus();
     ImGui::SetNextWindowPos(ImVec2(0.5F * size.x, 0.5F * size.y), ImGuiCond_Always,
                             ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowBgAlpha(0.95F);

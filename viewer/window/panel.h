@@ -17,8 +17,11 @@ struct PanelSubject {
     const StageHistory& history;
     const LoadingState* loading;  ///< null when nothing is on its way
     Handle handle;                ///< under the cursor, or in the hand
-    int width, height;            ///< of the picture [pixels]
+    int width, height;            ///< of the picture [pixels], which is left of the panel
 };
+
+/// Width of the panel with its margin [pixels]. Valid within a frame.
+int panel_width();
 
 // All of these draw with ImGui, within a frame.
 

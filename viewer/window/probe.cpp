@@ -102,7 +102,7 @@ ProbeReading read_probe(const OpenedOperator& opened, const std::vector<Light>& 
     }
     if (!direct.emitters().empty()) {
         LightShare share;
-        share.name = "emitting surfaces";
+        share.name = "surfaces";
         share.direct = luminance(direct.irradiance(point.position, normal, point.quad, {}));
         share.bounces = bounces.of(propagated(opened.transport.bounce, emission_of(scene, space)),
                                    stop_requested);

@@ -16,7 +16,8 @@ void number(double value) {
 
 void show_shares(const ProbeReading& reading) {
     if (!ImGui::BeginTable("shares", 4, ImGuiTableFlags_RowBg)) return;
-    for (const char* heading : {"lx", "direct", "indirect", "both"})
+    ImGui::TableSetupColumn("lx", ImGuiTableColumnFlags_WidthStretch, 1.6F);
+    for (const char* heading : {"direct", "indirect", "both"})
         ImGui::TableSetupColumn(heading);
     ImGui::TableHeadersRow();
     const auto row = [](const std::string& name, double direct, double indirect) {
@@ -38,6 +39,7 @@ void show_bounces(const ProbeReading& reading) {
     const double most =
         std::max(1e-30, bounces.empty() ? 0 : *std::max_element(bounces.begin(), bounces.end()));
     constexpr std::size_t shown = 8;
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, IM_COL32(60, 110, 60, 255));
     double rest = 0;
     for (std::size_t k = 0; k < bounces.size(); ++k) {
         if (k >= shown) {
@@ -47,6 +49,7 @@ void show_bounces(const ProbeReading& reading) {
         const std::string text = fmt::format("bounce {}: {:.4g} lx", k + 1, bounces[k]);
         ImGui::ProgressBar(static_cast<float>(bounces[k] / most), ImVec2(-1, 0), text.c_str());
     }
+    ImGui::PopStyleColor();
     if (rest > 0) ImGui::Text("later: %.4g lx", rest);
 }
 
@@ -72,7 +75,6 @@ void show_probe(const PanelSubject& subject) {
         return;
     }
     const ProbeReading& reading = *subject.probe.reading();
-    ImGui::Text("%.4g lx", reading.direct() + reading.indirect());
     show_shares(reading);
     show_bounces(reading);
 }

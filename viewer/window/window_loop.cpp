@@ -1,8 +1,10 @@
 #include "viewer/window/window_loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include <GL/glcorearb.h>
@@ -56,7 +58,25 @@ WalkCamera first_camera_of(const OpenedOperator& opened, const ViewRequest& requ
     return {default_camera(scene, opened.transport.space, opened.visibility), scene.up};
 }
 
+bool is_same(const FrameView& a, const FrameView& b) {
+    const auto all = [](const FrameView& v) {
+        return std::make_tuple(v.picture, v.exposure, v.tone_curve, v.bilinear, v.samples,
+                               v.lux_maximum, v.lux_divisions, v.contours, v.difference_range);
+    };
+    return all(a) == all(b);
+}
+
+bool is_same(const Camera& a, const Camera& b) {
+    return a.position == b.position && a.target == b.target && a.up == b.up &&
+           a.vertical_angle == b.vertical_angle;
+}
+
 }  // namespace
+
+bool WindowLoop::is_same(const Shown& a, const Shown& b) {
+    return lightwell::is_same(a.camera, b.camera) && lightwell::is_same(a.view, b.view) &&
+           a.width == b.width && a.height == b.height;
+}
 
 WindowLoop::WindowLoop(const ViewRequest& request)
     : request_(request),
@@ -66,6 +86,7 @@ WindowLoop::WindowLoop(const ViewRequest& request)
       replay_(replay_of(request)),
       width_(window_.size().width),
       height_(window_.size().height),
+      picture_width_(width_),
       last_frame_(steady_seconds()),
       visit_(WalkCamera({}, Vec3::UnitZ())) {
     if (request_.record) require_writable(*request_.record);
@@ -89,7 +110,9 @@ void WindowLoop::run() {
         probe_.poll();
         if (!frame.inputs.empty() || loading_ || probe_.is_reading() || !visit_.commands.empty())
             frames_to_draw_ = frames_after_input;
-        if (gestures_.is_walking() || (scene_ && !scene_->is_at_rest())) frames_to_draw_ = 1;
+        if (pace_.owes_a_fine_picture() || gestures_.is_walking() ||
+            (scene_ && !scene_->is_at_rest()))
+            frames_to_draw_ = std::max(frames_to_draw_, 1);
         if (frames_to_draw_ == 0 && !replay_) continue;
         --frames_to_draw_;
         take(frame);
@@ -129,11 +152,15 @@ void WindowLoop::take(const InputFrame& frame) {
     for (const Input& input : frame.inputs)
         if (const auto* size = std::get_if<SizeInput>(&input)) take_size(*size);
     const PanelClaims claims = panel_.begin(frame, width_, height_);
+    // In a narrow window the panel lies over the picture.
+    const bool is_beside = visit_.shows_panel && width_ > 2 * panel_width();
+    picture_width_ = is_beside ? width_ - panel_width() : width_;
     const Walls* walls = walls_ && !visit_.through_walls ? &*walls_ : nullptr;
     if (scene_) {
         const bool looked_freely = visit_.looks_freely;
         for (const Input& input : frame.inputs)
-            gestures_.take(input, claims, visit_, scene_->opened()->visibility, width_, height_);
+            gestures_.take(input, claims, visit_, scene_->opened()->visibility, picture_width_,
+                           height_);
         if (visit_.looks_freely != looked_freely && !replay_)
             window_.capture_cursor(visit_.looks_freely);
         gestures_.advance(frame.seconds, visit_, walls);
@@ -168,7 +195,7 @@ void WindowLoop::show_panels() {
                                history_,
                                loading_ ? &loading_state_ : nullptr,
                                gestures_.handle(),
-                               width_,
+                               picture_width_,
                                height_};
     show_overlay(subject);
     if (visit_.shows_panel) show_panel(subject);
@@ -181,11 +208,8 @@ void WindowLoop::draw(const InputFrame& frame) {
     const float darkness[] = {0.02F, 0.02F, 0.02F, 1};
     gl_.clear_bufferfv(GL_COLOR, 0, darkness);
     if (scene_) {
-        scene_->light(visit_.edits.shining(), visit_.update,
-                      visit_.view.picture == Picture::difference);
-        if (visit_.adapts) expose(*scene_, visit_, static_cast<double>(width_) / height_);
-        scene_->draw(visit_.camera.camera(), visit_.view, width_, height_);
-        history_.add(scene_->times());
+        draw_picture();
+        scene_->show();
     }
     panel_.draw();
     for (const Input& input : frame.inputs)
@@ -193,11 +217,28 @@ void WindowLoop::draw(const InputFrame& frame) {
     window_.show();
 }
 
+void WindowLoop::draw_picture() {
+    const bool is_lit_anew = scene_->light(visit_.edits.shining(), visit_.update,
+                                           visit_.view.picture == Picture::difference);
+    if (visit_.adapts && is_lit_anew) expose();
+    const Shown wanted{visit_.camera.camera(), visit_.view, picture_width_, height_};
+    const bool changes = is_lit_anew || !shown_ || !is_same(*shown_, wanted);
+    const bool was_coarse = pace_.owes_a_fine_picture();
+    // What is replayed shall look the same on every machine.
+    const int coarseness = replay_ ? 1 : pace_.coarseness(changes, steady_seconds());
+    if (changes || (was_coarse && coarseness == 1)) {
+        scene_->draw(wanted.camera, wanted.view, wanted.width, wanted.height, coarseness);
+        pace_.took(scene_->times().drawing);
+        history_.add(scene_->times());
+    }
+    shown_ = wanted;
+}
+
 void WindowLoop::write(const PictureInput& wanted) {
     if (wanted.whole_window)
         write_window_picture(gl_, width_, height_, wanted.path);
     else if (scene_)
-        write_picture(*scene_, visit_, width_, height_, wanted.path);
+        write_picture(*scene_, visit_, picture_width_, height_, wanted.path);
 }
 
 void WindowLoop::attempt(const std::function<void()>& work) {
@@ -234,7 +275,7 @@ void WindowLoop::carry_out(Command command) {
             visit_.say("the operator is in " + visit_.operator_file);
             break;
         case Command::expose:
-            if (scene_) expose(*scene_, visit_, static_cast<double>(width_) / height_);
+            if (scene_) expose();
             break;
         case Command::first_camera:
             if (first_camera_) visit_.camera = *first_camera_;
@@ -245,10 +286,14 @@ void WindowLoop::carry_out(Command command) {
     }
 }
 
+void WindowLoop::expose() {
+    lightwell::expose(*scene_, visit_, static_cast<double>(picture_width_) / height_);
+}
+
 void WindowLoop::save_picture(const std::string& extension) {
     if (!scene_) return;
     const std::string path = next_free_name(visit_.picture_stem, extension);
-    write_picture(*scene_, visit_, width_, height_, path);
+    write_picture(*scene_, visit_, picture_width_, height_, path);
     visit_.say("the picture is in " + path);
 }
 
@@ -293,10 +338,12 @@ void WindowLoop::enter(const SharedOperator& opened) {
     if (visit_.probed && visit_.probed->quad >= static_cast<int>(opened->quads.size()))
         visit_.probed.reset();
     scene_ = std::move(scene);
+    shown_.reset();
     walls_.emplace(opened->quads, walker_radius(opened->quads));
     scene_->light(visit_.edits.shining(), visit_.update, false);
-    if (is_new_visit_) expose(*scene_, visit_, static_cast<double>(width_) / height_);
+    if (is_new_visit_) expose();
     is_new_visit_ = false;
+    window_.set_title("Lightwell: " + opened->transport.scene.name);
     const Provenance& provenance = opened->transport.provenance;
     visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
                            100 * provenance.error_asked));
@@ -316,7 +363,6 @@ void WindowLoop::begin_visit(const OpenedOperator& opened) {
     visit_.lights_file = stem + ".lights.toml";
     visit_.picture_stem = stem;
     visit_.operator_file = stem + ".gto";
-    window_.set_title("Lightwell: " + scene.name);
 }
 
 std::string WindowLoop::summary() const {

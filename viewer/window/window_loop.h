@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/window/drawing_pace.h"
 #include "viewer/window/file_watch.h"
 #include "viewer/window/gestures.h"
 #include "viewer/window/gl_window.h"
@@ -35,12 +36,22 @@ class WindowLoop {
     std::string summary() const;
 
   private:
+    /// What a picture shows, its light aside.
+    struct Shown {
+        Camera camera;
+        FrameView view;
+        int width, height;
+    };
+    static bool is_same(const Shown& a, const Shown& b);
+
     InputFrame next_input();
     void wait_for_rest();
     void take(const InputFrame& frame);
     void take_size(const SizeInput& size);
     void show_panels();
     void draw(const InputFrame& frame);
+    void draw_picture();
+    void expose();
     void write(const PictureInput& wanted);
 
     void attempt(const std::function<void()>& work);
@@ -60,7 +71,10 @@ class WindowLoop {
     std::optional<std::vector<InputFrame>> replay_;
     std::size_t replayed_ = 0;
     std::string recorded_;
-    int width_, height_;
+    int width_, height_;  ///< of the window's content [pixels]
+    int picture_width_;   ///< of the picture beside the panel [pixels]
+    DrawingPace pace_;
+    std::optional<Shown> shown_;  ///< by the picture that is kept
     double last_frame_;
     int frames_to_draw_ = 3;
     bool quits_ = false;

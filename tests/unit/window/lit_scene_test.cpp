@@ -1,0 +1,98 @@
+#include "viewer/window/lit_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/propagation/coloured_room.h"
+#include "viewer/images/tone.h"
+#include "viewer/offscreen/gl_context.h"
+#include "viewer/window/files.h"
+
+namespace lightwell {
+namespace {
+
+class LitRoom : public ::testing::Test {
+  protected:
+    LitRoom() {
+        camera_.position = {2.5, 0.4, 1.6};
+        camera_.target = {1, 3, 1};
+    }
+    static std::vector<Light> lamp_at(double x) {
+        return {PointLight{"lamp", {x, 1, 2}, Rgb::Constant(100)}};
+    }
+
+    std::unique_ptr<GlContext> context_ = make_offscreen_context();
+    LitScene scene_{
+        std::make_shared<const OpenedOperator>(opened(testing::coloured_room().transport)),
+        context_->loader()};
+    Camera camera_;
+};
+
+TEST_F(LitRoom, IsLitAnewOnlyWhenLampsChange) {
+    EXPECT_TRUE(scene_.light(lamp_at(1), {}, false));
+    EXPECT_GT(scene_.times().projection, 0);
+    EXPECT_TRUE(scene_.is_at_rest());
+    EXPECT_FALSE(scene_.light(lamp_at(1), {}, false));
+    EXPECT_EQ(scene_.times().projection, 0);
+    EXPECT_TRUE(scene_.light(lamp_at(1.5), {}, false));
+}
+
+TEST_F(LitRoom, WithABudgetItComesToTheExactLightWithinFrames) {
+    UpdateOptions options;
+    options.budget = 5;
+    scene_.light(lamp_at(1), options, true);
+    EXPECT_FALSE(scene_.is_at_rest());
+    FrameView view;
+    view.picture = Picture::difference;
+    const auto unevenness = [&] {
+        const Image image = image_of(scene_.linear(camera_, view, 64, 48));
+        float most = 0;
+        for (const Image::Pixel& pixel : image.pixels())
+            most = std::max(most, pixel.maxCoeff() - pixel.minCoeff());
+        return most;
+    };
+    EXPECT_GT(unevenness(), 0.05f);
+    for (int frame = 0; frame < 12 && !scene_.is_at_rest(); ++frame)
+        EXPECT_TRUE(scene_.light(lamp_at(1), options, true));
+    EXPECT_TRUE(scene_.is_at_rest());
+    EXPECT_LT(unevenness(), 1e-3f);
+}
+
+TEST_F(LitRoom, ShowsWhatItDrewHoweverCoarsely) {
+    // The canvas is drawn and shown without an error; what is in it, the window's tests look at.
+    scene_.light(lamp_at(1), {}, false);
+    for (const int coarseness : {1, 3}) {
+        scene_.draw(camera_, {}, 50, 37, coarseness);
+        EXPECT_GT(scene_.times().drawing, 0);
+    }
+    EXPECT_NO_THROW(scene_.show());
+}
+
+TEST_F(LitRoom, ExposureFitsThePictureToMiddleGrey) {
+    scene_.light(lamp_at(1), {}, false);
+    Visit visit{WalkCamera(camera_, Vec3::UnitZ())};
+    expose(scene_, visit, 4.0 / 3);
+    const Image seen = image_of(scene_.linear(visit.camera.camera(), visit.view, 120, 90));
+    EXPECT_NEAR(visit.view.exposure, automatic_exposure(seen), 0.01);
+    EXPECT_GT(visit.view.lux_maximum, 1);
+}
+
+TEST_F(LitRoom, IndirectLightAtAPointIsTheTexture) {
+    scene_.light(lamp_at(1), {}, false);
+    EXPECT_GT(luminance(scene_.indirect_at(4, true, {2, 1, 0})), 1);
+    EXPECT_EQ(luminance(scene_.indirect_at(4, false, {2, 1, 0})), 0);
+}
+
+TEST(ShineAlike, ComparesAllButNames) {
+    SpotLight spot;
+    spot.intensity = Rgb::Ones();
+    SpotLight named = spot;
+    named.name = "other";
+    EXPECT_TRUE(shine_alike({spot}, {named}));
+    named.outer_angle += 1;
+    EXPECT_FALSE(shine_alike({spot}, {named}));
+    EXPECT_FALSE(shine_alike({spot}, {spot, spot}));
+    EXPECT_FALSE(shine_alike({spot}, {PointLight{"", spot.position, spot.intensity}}));
+}
+
+}  // namespace
+}  // namespace lightwell
