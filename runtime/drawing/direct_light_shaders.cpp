@@ -5,6 +5,9 @@ namespace lightwell {
 namespace {
 
 // Of the quads between a point and a lamp those are looked at that the lamp's map shows.
+//
+// Here and below, work that few pixels need stands in loops that run no times for the others:
+// processors that draw (llvmpipe) skip those, and go through both branches of an if.
 constexpr const char* lamp_light = R"(
 uniform samplerBuffer lamps;  // LampRecords
 uniform int lamp_count;
@@ -41,6 +44,11 @@ vec2 hidden_by(int quad, vec3 lamp, vec3 point, vec3 direction, float width) {
     return before > 0.0 ? vec2(share, 0.0) : vec2(0.0, share);
 }
 
+int quad_seen(ivec2 texel, ivec2 corner, int layer) {
+    return texelFetch(lamp_maps,
+                      ivec3(corner + clamp(texel, ivec2(0), ivec2(lamp_side - 1)), layer), 0).r;
+}
+
 // Neighbouring quads hide side by side, so what they hide adds up. Of a solid the faces towards the
 // lamp hide what those away from it hide, so the two sums do not.
 float hidden_share(int layer, vec3 lamp, vec3 point, int own, float footprint) {
@@ -48,18 +56,20 @@ float hidden_share(int layer, vec3 lamp, vec3 point, int own, float footprint) {
     ivec2 corner;
     ivec2 at = ivec2(floor(map_place(away, float(lamp_side), lamp_reach, corner)));
     float width = clamp(footprint / length(away), 1e-6, 1.5 / float(lamp_side));
-    vec2 hidden = vec2(0.0);
-    int met[9];
-    int count = 0;
+    int others = 0;
     for (int k = 0; k < 9; ++k) {
-        ivec2 texel = clamp(at + ivec2(k % 3, k / 3) - 1, ivec2(0), ivec2(lamp_side - 1));
-        int quad = texelFetch(lamp_maps, ivec3(corner + texel, layer), 0).r;
-        if (quad < 0 || quad == own) continue;
-        bool is_known = false;
-        for (int m = 0; m < count; ++m)
-            is_known = is_known || met[m] == quad;
-        if (is_known) continue;
-        met[count++] = quad;
+        int quad = quad_seen(at + ivec2(k % 3, k / 3) - 1, corner, layer);
+        if (quad >= 0 && quad != own) ++others;
+    }
+    vec2 hidden = vec2(0.0);
+    ivec4 met = ivec4(-1), met_before = ivec4(-1);
+    for (int k = 0; k < (others > 0 ? 9 : 0); ++k) {
+        int quad = quad_seen(at + ivec2(k % 3, k / 3) - 1, corner, layer);
+        if (quad < 0 || quad == own || any(equal(met, ivec4(quad))) ||
+            any(equal(met_before, ivec4(quad))))
+            continue;
+        met_before = ivec4(met.w, met_before.xyz);
+        met = ivec4(quad, met.xyz);
         hidden += hidden_by(quad, lamp, point, direction, width);
     }
     return min(1.0, max(hidden.x, hidden.y));
@@ -175,9 +185,8 @@ float light_of_emitter(int emitter, int first, int number, vec3 point, vec3 norm
         v[k] = vertex_of(emitter, k);
     int hiding[most_hiding];
     int count = collect_hiding(v, point, first, number, hiding);
-    if (count == 0) return form_factor(point, normal, v);
-    float sum = 0.0;
-    for (int k = 0; k < emitter_cells * emitter_cells; ++k) {
+    float sum = count == 0 ? form_factor(point, normal, v) : 0.0;
+    for (int k = 0; k < (count == 0 ? 0 : emitter_cells * emitter_cells); ++k) {
         vec2 low = vec2(k % emitter_cells, k / emitter_cells) / float(emitter_cells);
         vec2 high = low + 1.0 / float(emitter_cells);
         vec3 cell[4];

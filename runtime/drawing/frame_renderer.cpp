@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <GL/glcorearb.h>
 
@@ -63,7 +64,6 @@ class FrameRenderer::Drawing {
           quads_(transport.scene.quads.size()),
           surfaces_(transport, scale_),
           indices_(gl_, scaled_quads(transport.scene, scale_)),
-          lighting_(make_program(gl_, covering_vertex_shader(), lighting_shader().c_str())),
           developing_(make_program(gl_, covering_vertex_shader(), developing_shader().c_str())),
           covering_(make_vertex_array(gl_)),
           surface_buffer_(gl_),
@@ -120,6 +120,7 @@ class FrameRenderer::Drawing {
     }
 
     LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height) {
+        LIGHTWELL_CHECK_OP(view.coarseness, ==, 1);
         const KeptFramebuffer kept(gl_);
         draw_light(camera, view, width, height);
         const int samples = view.samples;
@@ -147,9 +148,12 @@ class FrameRenderer::Drawing {
         if (!rays_ || x < 0 || y < 0 || x >= rays_->width() || y >= rays_->height())
             return std::nullopt;
         const KeptFramebuffer kept(gl_);
-        const int samples = canvas_->width() / rays_->width();
-        const int quad = canvas_->seen_at(samples * x + samples / 2,
-                                          samples * (rays_->height() - 1 - y) + samples / 2);
+        const auto sample = [](int pixel, int samples, int pixels) {
+            return (2 * pixel + 1) * samples / (2 * pixels);
+        };
+        const int quad =
+            canvas_->seen_at(sample(x, canvas_->width(), rays_->width()),
+                             sample(rays_->height() - 1 - y, canvas_->height(), rays_->height()));
         if (quad < 0) return std::nullopt;
         const Quad& seen = quads_[static_cast<std::size_t>(quad)];
         const Vec3 direction = rays_->direction(x + 0.5, y + 0.5), normal = seen.normal();
@@ -172,11 +176,25 @@ class FrameRenderer::Drawing {
         canvas_.emplace(gl_, width, height);
     }
 
+    const GlObject& lighting(Picture picture) {
+        const auto found = lighting_.find(picture);
+        if (found != lighting_.end()) return found->second;
+        return lighting_
+            .emplace(picture,
+                     make_program(gl_, covering_vertex_shader(), lighting_shader(picture).c_str()))
+            .first->second;
+    }
+
     void draw_light(const Camera& camera, const FrameView& view, int width, int height) {
         LIGHTWELL_CHECK_OP(view.samples, >=, 1);
         LIGHTWELL_CHECK_OP(view.samples, <=, 4);
+        LIGHTWELL_CHECK_OP(view.coarseness, >=, 1);
+        LIGHTWELL_CHECK_OP(std::min(view.samples, view.coarseness), ==, 1);
         rays_.emplace(camera, width, height);
-        prepare_canvas(view.samples * width, view.samples * height);
+        const auto samples_along = [&](int pixels) {
+            return (view.samples * pixels + view.coarseness - 1) / view.coarseness;
+        };
+        prepare_canvas(samples_along(width), samples_along(height));
         IndexView seen;
         seen.eye = scale_.scaled(rays_->position());
         seen.frame = rays_->frame();
@@ -191,7 +209,7 @@ class FrameRenderer::Drawing {
         canvas_->bind_light();
         gl_.disable(GL_DEPTH_TEST);
         gl_.viewport(0, 0, canvas_->width(), canvas_->height());
-        ProgramInUse program(gl_, lighting_);
+        ProgramInUse program(gl_, lighting(view.picture));
         program.set_texture("seen", GL_TEXTURE_2D, canvas_->seen_texture());
         program.set_texture("surfaces", GL_TEXTURE_BUFFER, surface_buffer_.texture());
         program.set_texture("lamps", GL_TEXTURE_BUFFER, lamp_buffer_.texture());
@@ -212,7 +230,6 @@ class FrameRenderer::Drawing {
         program.set("emitter_count", emitter_count_);
         program.set("first_list", first_list_);
         program.set("bilinear", view.bilinear ? 1 : 0);
-        program.set("picture", static_cast<int>(view.picture));
         program.set("difference_range", view.difference_range);
         cover();
     }
@@ -225,6 +242,8 @@ class FrameRenderer::Drawing {
         ProgramInUse program(gl_, developing_);
         program.set_texture("picture_light", GL_TEXTURE_2D, canvas_->light_texture());
         program.set("samples", view.samples);
+        program.set("width", width);
+        program.set("height", height);
         const bool is_luminance = view.picture == Picture::total ||
                                   view.picture == Picture::direct ||
                                   view.picture == Picture::indirect;
@@ -248,7 +267,8 @@ class FrameRenderer::Drawing {
     std::vector<Quad> quads_;
     SurfaceRecords surfaces_;
     IndexDrawing indices_;
-    GlObject lighting_, developing_, covering_;
+    std::map<Picture, GlObject> lighting_;  ///< made when first needed
+    GlObject developing_, covering_;
     RecordBuffer surface_buffer_, lamp_buffer_, emitter_buffer_, shaft_buffer_;
     GlObject shown_, exact_;
     LampMaps lamp_maps_;

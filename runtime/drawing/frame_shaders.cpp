@@ -6,7 +6,7 @@ namespace lightwell {
 
 namespace {
 
-constexpr const char* surface_access = R"(#version 330 core
+constexpr const char* surface_access = R"(
 uniform samplerBuffer surfaces;  // SurfaceRecords
 uniform int first_element;
 const int per_quad = 9, per_element = 2;
@@ -67,26 +67,16 @@ bool faces(vec3 ray, int quad) {
 }
 int quad_along(vec3 ray) {
     ivec2 at = ivec2(gl_FragCoord.xy), most = textureSize(seen, 0) - 1;
-    int around[4];
-    around[0] = texelFetch(seen, max(at - ivec2(1, 0), ivec2(0)), 0).r;
-    around[1] = texelFetch(seen, min(at + ivec2(1, 0), most), 0).r;
-    around[2] = texelFetch(seen, max(at - ivec2(0, 1), ivec2(0)), 0).r;
-    around[3] = texelFetch(seen, min(at + ivec2(0, 1), most), 0).r;
     int quad = texelFetch(seen, at, 0).r;
-    int met = -1, beside = -1, background = 0;
+    ivec4 around = ivec4(texelFetch(seen, max(at - ivec2(1, 0), ivec2(0)), 0).r,
+                         texelFetch(seen, min(at + ivec2(1, 0), most), 0).r,
+                         texelFetch(seen, max(at - ivec2(0, 1), ivec2(0)), 0).r,
+                         texelFetch(seen, min(at + ivec2(0, 1), most), 0).r);
+    int met = -1;
     float nearest = 0.0;
-    bool differs = false;
-    if (quad >= 0 && is_met(ray, quad)) {
-        met = quad;
-        nearest = distance_along(ray, quad);
-    }
-    for (int k = 0; k < 4; ++k) {
-        int other = around[k];
-        if (other < 0) ++background;
-        if (other < 0 || other == quad) continue;
-        differs = true;
-        beside = other;
-        if (!is_met(ray, other)) continue;
+    for (int k = 0; k < (all(equal(around, ivec4(quad))) ? 0 : 5); ++k) {
+        int other = k == 0 ? quad : around[k - 1];
+        if (other < 0 || other == met || !is_met(ray, other)) continue;
         float t = distance_along(ray, other);
         // Where several quads share an edge, one that is seen from the front.
         bool is_tie = met >= 0 && abs(t - nearest) <= 1e-5 * t;
@@ -95,9 +85,9 @@ int quad_along(vec3 ray) {
             nearest = t;
         }
     }
-    if (!differs || met >= 0) return met >= 0 ? met : quad;
+    if (met >= 0) return met;
     // A crack as narrow as rounding: nothing but surface is round about, so surface belongs here.
-    return quad < 0 && background == 0 ? beside : quad;
+    return quad < 0 && all(greaterThanEqual(around, ivec4(0))) ? around.x : quad;
 }
 )";
 
@@ -164,7 +154,6 @@ float luminance(vec3 light) {
 )";
 
 constexpr const char* pictures = R"(
-uniform int picture;  // enum Picture
 uniform float difference_range;
 layout(location = 0) out vec4 light;
 
@@ -233,15 +222,17 @@ void main() {
 // System. sRGB: IEC 61966-2-1.
 constexpr const char* development = R"(
 uniform sampler2D picture_light;
-uniform int samples, mode;  // mode 0: tone, 1: false colours, 2: as it is
+uniform int samples, width, height, mode;  // mode 0: tone, 1: false colours, 2: as it is
 uniform float factor, maximum, divisions;
 uniform bool filmic, contours;
 layout(location = 0) out vec4 colour;
 
 vec3 mean_at(ivec2 at) {
+    // Where there are fewer samples than pixels, the one that the pixel lies in.
+    ivec2 first = at * textureSize(picture_light, 0) / ivec2(width, height);
     vec3 sum = vec3(0.0);
     for (int k = 0; k < samples * samples; ++k)
-        sum += texelFetch(picture_light, samples * at + ivec2(k % samples, k / samples), 0).rgb;
+        sum += texelFetch(picture_light, first + ivec2(k % samples, k / samples), 0).rgb;
     return sum / float(samples * samples);
 }
 vec3 toned(vec3 light) {
@@ -253,8 +244,7 @@ float part_of(vec3 light) {
     return floor(clamp(luminance(light) / maximum, 0.0, 1.0) * divisions);
 }
 vec3 false_coloured(ivec2 at, vec3 light) {
-    ivec2 last = textureSize(picture_light, 0) / samples - 1;
-    if (contours && all(lessThan(at, last)) && at.y > 0 &&
+    if (contours && at.x + 1 < width && at.y > 0 &&
         (part_of(mean_at(at + ivec2(1, 0))) != part_of(light) ||
          part_of(mean_at(at - ivec2(0, 1))) != part_of(light)))
         return vec3(0.0);
@@ -282,8 +272,9 @@ void main() {
 )";
 }
 
-std::string lighting_shader() {
-    return std::string(surface_access) + seen_surface + lamp_light_functions() +
+std::string lighting_shader(Picture picture) {
+    return "#version 330 core\nconst int picture = " + std::to_string(static_cast<int>(picture)) +
+           ";\n" + surface_access + seen_surface + lamp_light_functions() +
            emitter_light_functions() + indirect_light + colour_ramp + pictures;
 }
 

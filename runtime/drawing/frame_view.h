@@ -16,13 +16,16 @@ enum class Picture {
 /// How a frame is shown.
 struct FrameView {
     Picture picture = Picture::total;
-    double exposure = 0;        ///< EV: luminance is multiplied by 2^exposure before the tone curve
-    bool tone_curve = true;     ///< the filmic curve, or what exceeds 1 is cut off
-    bool bilinear = true;       ///< indirect light between the centres of texels, or texel by texel
-    int samples = 1;            ///< a side in every pixel, 1 to 4: samples^2 are averaged
-    double lux_maximum = 1000;  ///< illuminance at the top of the ramp [lx], positive
-    int lux_divisions = 10;     ///< parts of the ramp between contour lines, at least 1
-    bool contours = true;       ///< contour lines in Picture::lux
+    double exposure = 0;     ///< EV: luminance is multiplied by 2^exposure before the tone curve
+    bool tone_curve = true;  ///< the filmic curve, or what exceeds 1 is cut off
+    bool bilinear = true;    ///< indirect light between the centres of texels, or texel by texel
+    int samples = 1;         ///< a side in every pixel, 1 to 4: samples^2 are averaged
+    /// Pixels a side that share one sample, 1 to 8, for a quick look while things move; with more
+    /// than 1 `samples` must be 1.
+    int coarseness = 1;
+    double lux_maximum = 1000;       ///< illuminance at the top of the ramp [lx], positive
+    int lux_divisions = 10;          ///< parts of the ramp between contour lines, at least 1
+    bool contours = true;            ///< contour lines in Picture::lux
     double difference_range = 0.05;  ///< difference that has full colour, positive
 };
 

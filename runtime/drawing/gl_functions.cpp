@@ -24,6 +24,7 @@ void load(Ours& function, const GlLoader& loader, const char* name) {
 GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLGETERRORPROC>(get_error, loader, "glGetError");
     load<PFNGLGETINTEGERVPROC>(get_integerv, loader, "glGetIntegerv");
+    load<PFNGLFINISHPROC>(finish, loader, "glFinish");
     load<PFNGLCREATESHADERPROC>(create_shader, loader, "glCreateShader");
     load<PFNGLSHADERSOURCEPROC>(shader_source, loader, "glShaderSource");
     load<PFNGLCOMPILESHADERPROC>(compile_shader, loader, "glCompileShader");

@@ -9,12 +9,16 @@
 #include <string>
 #include <vector>
 
+#include <GL/glcorearb.h>
 #include <benchmark/benchmark.h>
 
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/visibility.h"
+#include "runtime/drawing/frame_renderer.h"
+#include "runtime/drawing/gl_objects.h"
 #include "runtime/frame.h"
+#include "runtime/projection/fastest_projection.h"
 #include "runtime/projection/occlusion_query_projection.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/incremental_update.h"
@@ -194,6 +198,65 @@ void whole_frame(benchmark::State& state, const std::string& name) {
                                static_cast<double>(frame.textures().size().rows);
 }
 
+/// An image for frames, bound while it lives.
+class FrameTarget {
+  public:
+    FrameTarget(const GlFunctions& gl, int width, int height)
+        : gl_(gl),
+          framebuffer_(make_framebuffer(gl)),
+          colours_(make_renderbuffer(gl, GL_RGBA8, width, height)) {
+        gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+        gl.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                    colours_.name());
+    }
+    ~FrameTarget() { gl_.bind_framebuffer(GL_FRAMEBUFFER, 0); }
+    FrameTarget(const FrameTarget&) = delete;
+    FrameTarget& operator=(const FrameTarget&) = delete;
+
+  private:
+    const GlFunctions& gl_;
+    GlObject framebuffer_, colours_;
+};
+
+// A frame from a moved lamp to the pixels, drawn by the processor (OSMesa), 960 x 720 unless the
+// argument, a percentage of that along a side, says otherwise.
+void drawn_frame(benchmark::State& state, const std::string& name) {
+    const LitScene& scene = lit_scene(name);
+    const std::unique_ptr<GlContext> context = make_offscreen_context();
+    const GlFunctions gl(context->loader());
+    const int width = static_cast<int>(960 * state.range(0) / 100);
+    const int height = static_cast<int>(720 * state.range(0) / 100);
+    const FrameTarget target(gl, width, height);
+    FrameRenderer renderer(scene.transport, context->loader());
+    Frame frame(scene.transport, std::make_unique<ShadowProjection>(scene.transport.space,
+                                                                    scene.quads, scene.occluders));
+    const Camera camera = scene.transport.scene.camera.value_or(Camera());
+    // The first frame compiles shaders.
+    renderer.set_lights(scene.lamp(0));
+    renderer.draw(camera, {}, width, height);
+    double maps = 0, upload = 0, drawing = 0;
+    const auto timed = [&](double& sum, const auto& work) {
+        const double start = steady_seconds();
+        work();
+        gl.finish();
+        sum += steady_seconds() - start;
+    };
+    int step = 0;
+    for (auto _ : state) {
+        const std::vector<Light> lamps = scene.lamp(step++ % 20);
+        frame.light(lamps);
+        timed(maps, [&] { renderer.set_lights(lamps); });
+        timed(upload, [&] { renderer.upload(frame.textures()); });
+        timed(drawing, [&] { renderer.draw(camera, {}, width, height); });
+    }
+    const auto mean = [&](double seconds) {
+        return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations);
+    };
+    state.counters["maps"] = mean(maps);
+    state.counters["upload"] = mean(upload);
+    state.counters["drawing"] = mean(drawing);
+}
+
 void register_all() {
     const auto in_ms = [](benchmark::internal::Benchmark* bench) {
         return bench->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -208,6 +271,11 @@ void register_all() {
         in_ms(benchmark::RegisterBenchmark(
             named("Frame", name).c_str(),
             [name](benchmark::State& state) { whole_frame(state, name); }));
+        in_ms(benchmark::RegisterBenchmark(
+                  named("DrawnFrame", name).c_str(),
+                  [name](benchmark::State& state) { drawn_frame(state, name); }))
+            ->Arg(50)
+            ->Arg(100);
         in_ms(benchmark::RegisterBenchmark(
             named("ShadowProjection", name).c_str(),
             [name](benchmark::State& state) { shadow_projection(state, name); }));
