@@ -111,15 +111,6 @@ Light point_from(const TomlTable& table, const std::string& name) {
                       non_negative_colour(table, "intensity")};
 }
 
-Light light_from(const TomlTable& table, const std::string& name) {
-    const std::string type = table.text("type");
-    if (type != "point" && type != "spot")
-        table.fail("type", "type must be \"point\" or \"spot\", not " + in_quotes(type));
-    Light light = type == "spot" ? spot_from(table, name) : point_from(table, name);
-    table.refuse_unknown_keys();
-    return light;
-}
-
 int count_from(const TomlTable& table, const std::string& key) {
     const std::int64_t count = table.whole_number(key);
     if (count < 1 || count > most_sensors_in_line)
@@ -153,6 +144,15 @@ SensorGrid sensor_grid_from(const TomlTable& table, const std::string& name) {
 }
 
 }  // namespace
+
+Light light_from(const TomlTable& table, const std::string& name) {
+    const std::string type = table.text("type");
+    if (type != "point" && type != "spot")
+        table.fail("type", "type must be \"point\" or \"spot\", not " + in_quotes(type));
+    Light light = type == "spot" ? spot_from(table, name) : point_from(table, name);
+    table.refuse_unknown_keys();
+    return light;
+}
 
 std::vector<Light> lights_from(const TomlTable& file) {
     std::vector<Light> lights;

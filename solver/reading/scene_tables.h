@@ -14,6 +14,8 @@ namespace lightwell {
 
 /// The lights of every [[light]], in their order; those without a name are "light 1", ...
 std::vector<Light> lights_from(const TomlTable& file);
+/// The light of a [[light]] table, by that name.
+Light light_from(const TomlTable& table, const std::string& name);
 /// The camera of a [camera] table. @param up the direction that is up unless the table says
 Camera camera_from(const TomlTable& table, const Vec3& up);
 /// The grids of every [[sensors]], in their order; those without a name are "sensors 1", ...

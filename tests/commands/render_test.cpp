@@ -1,4 +1,5 @@
 #include <cmath>
+#include <csignal>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -114,6 +115,84 @@ TEST_F(RenderedCornellBox, TexturesShowTheSameLightToTheErrorOfTheOperator) {
     EXPECT_GT(squares, 0);
     const Words both = {"render", file_, "-o", *folder_ / "both.png", "--textures", "--no-gather"};
     EXPECT_EQ(lightwell(both).status, 1);
+}
+
+// Drawn by shaders or point by point, with the same indirect light: the same picture, but for the
+// pixels that edges of shadows pass.
+TEST_F(RenderedCornellBox, LivePicturesAreThoseDrawnPointByPoint) {
+    for (const char* view : {"total", "direct", "indirect", "lux"}) {
+        const Image plain = rendered({"--view", view, "--textures"}).image;
+        const Image live = rendered({"--view", view, "--live"}).image;
+        double off = 0, whole = 0;
+        for (std::size_t k = 0; k < plain.pixels().size(); ++k) {
+            off += static_cast<double>((plain.pixels()[k] - live.pixels()[k]).abs().sum());
+            whole += static_cast<double>(plain.pixels()[k].sum());
+        }
+        EXPECT_LT(off, 0.004 * whole) << view;
+    }
+    const Image coefficients = rendered({"--view", "coefficients"}).image;
+    EXPECT_GT(coefficients.at(32, 40).maxCoeff(), 0);
+    EXPECT_EQ(
+        lightwell({"render", file_, "--live", "--samples", "5", "-o", *folder_ / "5.png"}).status,
+        1);
+}
+
+class RenderedPath : public RenderedCornellBox {
+  protected:
+    /// A lamp that goes from place to place in the air of the box.
+    static std::string path(double seconds) {
+        std::string text = "frames_per_second = 2\n";
+        for (const double time : {0.0, seconds})
+            text += fmt::format(
+                "[[light]]\nname = \"lamp\"\ntype = \"point\"\ntime = {}\nposition = [{}, 2.0, 4.5]"
+                "\nintensity = 400\n",
+                time, time == 0 ? 1 : 4);
+        return folder_->write("path.toml", text);
+    }
+};
+
+TEST_F(RenderedPath, IsNumberedPicturesThatShowWhatSinglePicturesShow) {
+    const ScratchFolder out;
+    const ProgramRun run =
+        lightwell({"render", file_, "--path", path(1), "--size", "64x48", "-o", out / "walk.exr"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out + run.err, "");
+    EXPECT_EQ(out.names(), (Words{"walk-0001.exr", "walk-0002.exr", "walk-0003.exr"}));
+    const std::string middle = folder_->write(
+        "middle.toml", "[[light]]\ntype = \"point\"\nposition = [2.5, 2, 4.5]\nintensity = 400\n");
+    const Image alone = rendered({"--live", "--lights", middle}).image;
+    const Image second = read_exr(out / "walk-0002.exr").image;
+    for (std::size_t k = 0; k < alone.pixels().size(); ++k)
+        EXPECT_LE((alone.pixels()[k] - second.pixels()[k]).abs().maxCoeff(),
+                  1e-3f * (1 + alone.pixels()[k].maxCoeff()));
+}
+
+TEST_F(RenderedPath, StopsBetweenPicturesAndLeavesWholeOnes) {
+    const ScratchFolder out;
+    ProgramSetting setting;
+    setting.on_terminal = true;
+    setting.signal = SIGINT;
+    setting.signal_at = "picture 1 of";
+    const ProgramRun run = lightwell(
+        {"render", file_, "--path", path(1000), "--size", "64x48", "-o", out / "walk.exr"},
+        setting);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("of 2001 pictures are there"), std::string::npos) << run.err;
+    const Words names = out.names();
+    ASSERT_FALSE(names.empty());
+    EXPECT_LT(names.size(), 2001U);
+    for (const std::string& name : names)
+        EXPECT_EQ(read_exr(out / name).image.width(), 64) << name;
+}
+
+TEST_F(RenderedPath, SaysWhereItIsWrong) {
+    const std::string wrong =
+        folder_->write("wrong.toml", "[[camera]]\ntime = 0\nposition = [1, 2]\n");
+    const ProgramRun run =
+        lightwell({"render", file_, "--path", wrong, "-o", *folder_ / "wrong.png"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.err.rfind("lightwell: " + wrong + ":3:", 0), 0u) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(*folder_ / "wrong-0001.png"));
 }
 
 TEST_F(RenderedCornellBox, ExposureActsOnThePngAlone) {

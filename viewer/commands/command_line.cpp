@@ -171,7 +171,8 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
               });
     add_value(
         *command, "--view", "VIEW",
-        "total (default), direct, indirect, lux (false colour), level (the wavelet mesh)",
+        "total (default), direct, indirect, lux (false colour), level (the wavelet mesh), "
+        "coefficients (of the operator, by quad)",
         [&request](const std::string& text) { request.view = view_argument("--view", text); });
     CLI::Option* no_gather = command->add_flag_callback(
         "--no-gather", [&request] { request.indirect = IndirectLight::smooth; },
@@ -184,8 +185,12 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
             "the whole error of the stored operator")
         ->excludes(no_gather);
     command->add_flag("--live", request.live,
-                      "draw as the window does, within a fraction of a second: shadow maps, and "
-                      "indirect light as --textures");
+                      "draw as a window does, within a fraction of a second: what --textures "
+                      "shows, with shadows smoothed over a pixel");
+    add_value(*command, "--path", "PATH.toml",
+              "[[camera]] and [[light]] keyframes: draws numbered pictures along them, as --live",
+              [&request](const std::string& text) { request.path = text; });
+    command->add_flag("--contours", request.contours, "contour lines in --view lux");
     add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
               [&request](const std::string& text) {
                   request.samples = whole_argument("--samples", text, 1, 16);

@@ -5,27 +5,22 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/direct_light.h"
-#include "runtime/drawing/frame_renderer.h"
 #include "runtime/frame.h"
 #include "runtime/outgoing/gathered_surfaces.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/lighting.h"
-#include "solver/reading/input_file.h"
 #include "solver/reading/scene_reader.h"
 #include "viewer/commands/default_camera.h"
 #include "viewer/commands/level_view.h"
+#include "viewer/commands/live_pictures.h"
 #include "viewer/commands/opened_operator.h"
-#include "viewer/commands/output.h"
+#include "viewer/commands/picture_output.h"
 #include "viewer/commands/stop_signal.h"
-#include "viewer/images/false_colour.h"
 #include "viewer/images/image_file.h"
-#include "viewer/images/tone.h"
 #include "viewer/offscreen/gl_context.h"
 #include "viewer/offscreen/render.h"
 
@@ -121,92 +116,26 @@ Camera chosen_camera(const RenderRequest& request, const OpenedOperator& opened)
     return default_camera(scene, opened.transport.space, opened.visibility);
 }
 
-Image for_display(const Image& light, const RenderRequest& request) {
-    switch (request.view) {
-        case View::lux:
-            return false_coloured(light, FalseColour());
-        case View::level:
-            return light;
-        default:
-            return develop(light,
-                           {automatic_exposure(light) + request.exposure, ToneCurve::filmic});
-    }
-}
-
-void write_picture(const Image& light, const RenderRequest& request) {
-    WriteReport report;
-    if (image_format(request.output) == ImageFormat::png)
-        report = write_png(for_display(light, request), request.output);
-    else
-        report = write_exr(light,
-                           request.view == View::lux     ? "lx"
-                           : request.view == View::level ? "display"
-                                                         : "cd/m2",
-                           request.output);
-    if (report.non_finite_pixels > 0)
-        print_message(fmt::format("{}: warning: {} pixels were not finite and are black",
-                                  request.output, report.non_finite_pixels));
-}
-
-Picture picture_of(View view) {
-    switch (view) {
-        case View::direct:
-            return Picture::direct;
-        case View::indirect:
-            return Picture::indirect;
-        case View::lux:
-            return Picture::lux;
-        case View::level:
-            return Picture::level;
-        default:
-            return Picture::total;
-    }
-}
-
-Image drawn_live(const OpenedOperator& opened, const std::vector<Light>& lights,
-                 const Camera& camera, const RenderRequest& request, const GlContext& context) {
-    Frame frame(opened.transport, std::make_unique<ShadowProjection>(
-                                      opened.transport.space, opened.quads, opened.occluders));
-    frame.light(lights);
-    FrameRenderer renderer(opened.transport, context.loader());
-    renderer.set_lights(lights);
-    renderer.upload(frame.textures());
-    FrameView view;
-    view.picture = picture_of(request.view);
-    view.samples = request.samples;
-    const LinearPicture picture =
-        renderer.linear(camera, view, request.size.width, request.size.height);
-    Image image(picture.width, picture.height);
-    for (std::size_t p = 0; p < image.pixels().size(); ++p)
-        image.pixels()[p] = Eigen::Map<const Image::Pixel>(picture.rgb.data() + 3 * p);
-    return image;
-}
-
 }  // namespace
-
-View view_argument(const std::string& option, const std::string& text) {
-    const std::pair<const char*, View> views[] = {{"total", View::total},
-                                                  {"direct", View::direct},
-                                                  {"indirect", View::indirect},
-                                                  {"lux", View::lux},
-                                                  {"level", View::level}};
-    for (const auto& [name, view] : views)
-        if (text == name) return view;
-    throw InputError(Place{option},
-                     in_quotes(text) + " is not a view: total, direct, indirect, lux or level");
-}
 
 void run_render(const RenderRequest& request) {
     image_format(request.output);
-    require_writable(request.output);
+    if (!request.path) require_writable(request.output);
     const OpenedOperator opened = open_operator(request.operator_file);
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
     const Camera camera = chosen_camera(request, opened);
-    const std::unique_ptr<GlContext> context = make_offscreen_context();
-    if (request.live) {
-        write_picture(drawn_live(opened, lights, camera, request, *context), request);
+    if (request.path) {
+        draw_path(opened, {*request.path, request.output, request.view, request.size,
+                           request.samples, request.exposure, request.contours, camera, lights});
         return;
     }
+    PictureOutput output(request.view, request.exposure, request.contours);
+    if (request.live || request.view == View::coefficients) {
+        LivePictures pictures(opened, request.view, request.size, request.samples);
+        output.write(pictures.drawn(lights, camera), request.output);
+        return;
+    }
+    const std::unique_ptr<GlContext> context = make_offscreen_context();
     const SurfaceDrawing drawing(opened.quads, context->loader());
     PictureSize size;
     size.width = request.size.width;
@@ -214,15 +143,15 @@ void run_render(const RenderRequest& request) {
     size.samples = request.samples;
     if (request.view == View::level) {
         const CameraRays rays(camera, size.width, size.height);
-        write_picture(render(drawing, camera, size, level_shade(opened.transport.space, rays)),
-                      request);
+        output.write(render(drawing, camera, size, level_shade(opened.transport.space, rays)),
+                     request.output);
         return;
     }
     const LitSurfaces surfaces(opened, lights, request);
     const Shade shade = [&surfaces](int quad, bool front, const Vec3& position, const Vec3&) {
         return surfaces.shown(quad, front, position);
     };
-    write_picture(render(drawing, camera, size, shade), request);
+    output.write(render(drawing, camera, size, shade), request.output);
 }
 
 }  // namespace lightwell

@@ -4,21 +4,9 @@
 #include <string>
 
 #include "viewer/commands/arguments.h"
+#include "viewer/commands/picture_view.h"
 
 namespace lightwell {
-
-/// What a picture shows.
-enum class View {
-    total,     ///< luminance with all light [cd/m2]
-    direct,    ///< luminance with direct light alone [cd/m2]
-    indirect,  ///< luminance with indirect light alone, lamps dark [cd/m2]
-    lux,       ///< illuminance [lx], as a false-colour picture
-    level      ///< the wavelet mesh: the finest cells, coloured by their level
-};
-
-/// "total", "direct", "indirect", "lux" or "level".
-/// @throws InputError for any other word
-View view_argument(const std::string& option, const std::string& text);
 
 /// Where a picture's indirect light comes from.
 enum class IndirectLight {
@@ -38,11 +26,13 @@ struct RenderRequest {
     int samples = 2;      ///< a side in every pixel
     View view = View::total;
     IndirectLight indirect = IndirectLight::gathered;
-    bool live = false;  ///< drawn as a window draws it, see FrameRenderer
+    bool live = false;                ///< drawn as a window draws it, see LivePictures
+    std::optional<std::string> path;  ///< a file of keyframes: pictures along it, drawn live
+    bool contours = false;            ///< contour lines in View::lux
 };
 
-/// Renders a picture into a file, without a display. A PNG is exposed and toned for a screen; an
-/// EXR holds the light itself (cd/m2; lx for View::lux).
+/// Renders a picture into a file, or along a path into numbered files, without a display. A PNG is
+/// exposed and toned for a screen; an EXR holds the light itself (cd/m2; lx for View::lux).
 /// @throws InputError for files that cannot be used, SystemError if OpenGL or the disk fails
 void run_render(const RenderRequest& request);
 
