@@ -255,6 +255,8 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
     provenance.oracle = options.oracle == OracleKind::geometric ? "geometric" : "variation";
     provenance.error_asked = options.error;
     provenance.error_estimated = estimate.rms();
+    provenance.error_bound = estimate.bound();
+    if (!judged.empty()) provenance.error_basis = basis_of(judged);
     provenance.energy_dropped = estimate.energy_dropped;
     provenance.cell_size = settings.cell_size;
     provenance.oracle_tolerance = settings.oracle_tolerance;

@@ -26,6 +26,9 @@ struct Provenance {
     std::uint64_t links = 0;      ///< kept by the oracle, unordered pairs
     int bounces = 0;              ///< powers of T that the series holds
     double energy_dropped = 0;    ///< share of the indirect flux that truncation lost
+    double error_bound = 0;       ///< upper end of the estimate's 95 % interval; 0: not measured
+    std::string error_basis;  ///< how estimate and bound were obtained; empty: not measured, or not
+                              ///< recorded
 };
 
 /// Everything that measuring and drawing need: the scene, the space, one bounce, and all bounces.

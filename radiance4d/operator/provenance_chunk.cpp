@@ -39,6 +39,13 @@ void for_each_member(Record& provenance, Visit visit) {
     visit("energy_dropped", provenance.energy_dropped);
 }
 
+/// The same for members that files of earlier versions of the program lack.
+template <typename Record, typename Visit>
+void for_each_later_member(Record& provenance, Visit visit) {
+    visit("error_bound", provenance.error_bound);
+    visit("error_basis", provenance.error_basis);
+}
+
 void take(const Json& value, std::string& member) {
     value.get_to(member);
 }
@@ -65,11 +72,13 @@ void take(const Json& value, int& member) {
 std::string provenance_bytes(const Provenance& provenance, const std::string& options_json) {
     LIGHTWELL_CHECK_OP(provenance.bounces, >=, 0);
     Json record;
-    for_each_member(provenance, [&](const char* key, const auto& member) {
+    const auto put = [&](const char* key, const auto& member) {
         record[key] = member;
         if (record[key].is_number_float())
             LIGHTWELL_CHECK(std::isfinite(record[key].template get<double>()));
-    });
+    };
+    for_each_member(provenance, put);
+    for_each_later_member(provenance, put);
     try {
         const Json options = parsed(options_json);
         LIGHTWELL_CHECK(options.is_object());
@@ -90,6 +99,9 @@ Provenance read_provenance(ByteReader& reader, std::string& options_json) {
         const Json& record = both.at("provenance");
         for_each_member(provenance,
                         [&](const char* key, auto& member) { take(record.at(key), member); });
+        for_each_later_member(provenance, [&](const char* key, auto& member) {
+            if (record.contains(key)) take(record.at(key), member);
+        });
         if (!both.at("options").is_object()) throw std::invalid_argument("options is no object");
         options_json = both.at("options").dump();
     } catch (const std::bad_alloc&) {

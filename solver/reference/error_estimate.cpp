@@ -4,9 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/scene/brdf.h"
 #include "solver/reference/chosen_points.h"
+#include "solver/reference/confidence.h"
 #include "solver/reference/deviation.h"
 #include "solver/reference/radiance_tracer.h"
 #include "solver/reference/random_stream.h"
@@ -54,6 +57,14 @@ double ErrorEstimate::rms() const {
     for (const double error : by_light)
         squares += error * error;
     return by_light.empty() ? 0 : std::sqrt(squares / static_cast<double>(by_light.size()));
+}
+
+double ErrorEstimate::bound() const {
+    if (by_light.size() < 2) return rms();
+    std::vector<WeighedValue> squares;
+    for (const double error : by_light)
+        squares.push_back({error * error});
+    return rms_interval(squares).high;
 }
 
 double ErrorEstimate::ninth_of_ten() const {
@@ -143,6 +154,16 @@ std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
                                       std::move(chosen.shown.weight), target, options.seed + k));
     }
     return judged;
+}
+
+std::string basis_of(const std::vector<JudgedLight>& judged) {
+    std::size_t points = 0;
+    for (const JudgedLight& one : judged)
+        points += one.points.size();
+    return fmt::format(
+        "path tracing of {} lamps that the operator was not made for, at {} places in all; bound: "
+        "95 % confidence over such lamps",
+        judged.size(), points);
 }
 
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,

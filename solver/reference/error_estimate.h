@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "radiance4d/operator/global_transport.h"
@@ -80,9 +81,15 @@ struct ErrorEstimate {
 
     /// Root mean square over the lights.
     double rms() const;
+    /// Upper end of the interval of 95 % in which it lies for lamps anywhere (see rms_interval);
+    /// the rms itself where there are less than two lights.
+    double bound() const;
     /// The error that nine lights of ten stay below, from the lights there are.
     double ninth_of_ten() const;
 };
+
+/// How errors of these lights were obtained, in words: "path tracing of 8 lamps ...".
+std::string basis_of(const std::vector<JudgedLight>& judged);
 
 /// The error of an operator for each of the lights. A light that nothing reflects has none.
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,

@@ -44,6 +44,7 @@ std::string json_report(const PrecomputeOutcome& outcome) {
     json["energy_dropped"] = provenance.energy_dropped;
     json["error_asked"] = provenance.error_asked;
     json["error_estimated"] = provenance.error_estimated;
+    json["error_bound"] = provenance.error_bound;
     json["seconds"] = outcome.report.seconds;
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -81,7 +82,10 @@ std::string readable_report(const PrecomputeOutcome& outcome) {
                  provenance.error_estimated > 0
                      ? fmt::format("{:.2g} %", 100 * provenance.error_estimated)
                      : "-",
-                 provenance.error_estimated > 0 ? "error that was reached" : "not measured");
+                 provenance.error_estimated > 0
+                     ? fmt::format("error that was reached, at most {:.2g} % with 95 % confidence",
+                                   100 * provenance.error_bound)
+                     : "not measured");
     text += line("file", readable_bytes(outcome.bytes), "with geometry and materials");
     std::string stages;
     for (const auto& [stage, seconds] : outcome.report.seconds)

@@ -4,6 +4,7 @@
 
 #include "radiance4d/failure.h"
 #include "radiance4d/operator/operator_file.h"
+#include "radiance4d/operator/provenance_chunk.h"
 #include "tests/unit/operator_file/sample_transport.h"
 #include "tests/unit/operator_file/temporary_folder.h"
 
@@ -164,6 +165,25 @@ TEST_F(RoundTrip, KeepsOperatorsAndProvenance) {
     EXPECT_EQ(a.links, b.links);
     EXPECT_EQ(a.bounces, b.bounces);
     EXPECT_EQ(a.energy_dropped, b.energy_dropped);
+    EXPECT_EQ(a.error_bound, b.error_bound);
+    EXPECT_EQ(a.error_basis, b.error_basis);
+}
+
+TEST(Provenance, OfFilesWithoutABoundIsRead) {
+    Provenance provenance;
+    provenance.error_bound = 0.07;
+    provenance.error_basis = "path tracing";
+    std::string bytes = provenance_bytes(provenance, "{}");
+    for (const std::string& later :
+         {std::string("\"error_bound\":0.07,"), std::string("\"error_basis\":\"path tracing\",")}) {
+        ASSERT_NE(bytes.find(later), std::string::npos);
+        bytes.erase(bytes.find(later), later.size());
+    }
+    ByteReader reader(bytes, "chunk PROV");
+    std::string options;
+    const Provenance read = read_provenance(reader, options);
+    EXPECT_EQ(read.error_bound, 0);
+    EXPECT_EQ(read.error_basis, "");
 }
 
 TEST_F(RoundTrip, KeepsExtremeValues) {

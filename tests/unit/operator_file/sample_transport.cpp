@@ -94,8 +94,9 @@ GlobalTransport sample_transport(std::uint32_t per_column) {
     transport.indirect = {random_operator(size, per_column, false, 2),
                           random_operator(size, per_column, false, 3)};
     transport.channel = {0, 1, 0};
-    transport.provenance = {"lightwell 0.1.0",     "geometric", 0.05, 0.1 / 3, 0.25, 1e-4, 1e-300,
-                            18446744073709551615U, 123456789,   14,   5e-3};
+    transport.provenance = {
+        "lightwell 0.1.0",     "geometric", 0.05, 0.1 / 3, 0.25, 1e-4,          1e-300,
+        18446744073709551615U, 123456789,   14,   5e-3,    0.07, "path tracing"};
     return transport;
 }
 
