@@ -26,9 +26,10 @@ vec2 map_place(vec3 away, float side, float reach, out ivec2 corner) {
 }
 
 // The share that a quad hides of a lamp, seen from a point in `direction` from the lamp: all or
-// nothing but for a band `width` [radians] wide along its edges. x if the lamp is before the quad's
-// front, y if behind it.
-vec2 hidden_by(int quad, vec3 lamp, vec3 point, vec3 direction, float width) {
+// nothing but for a band `width` [radians] wide along its edges. Where the point is nearer to the
+// quad than `footprint` the band is narrower, or light would leak under walls. x if the lamp is
+// before the quad's front, y if behind it.
+vec2 hidden_by(int quad, vec3 lamp, vec3 point, vec3 direction, float width, float footprint) {
     vec3 normal = normal_of(quad), base = vertex_of(quad, 0);
     float before = dot(normal, lamp - base), behind = dot(normal, point - base);
     if (before * behind >= 0.0 || abs(behind) <= contact) return vec2(0.0);
@@ -40,7 +41,8 @@ vec2 hidden_by(int quad, vec3 lamp, vec3 point, vec3 direction, float width) {
         if (size > 0.0) inside = min(inside, inwards * dot(edge, direction) / size);
         last = next;
     }
-    float share = clamp(0.5 + inside / width, 0.0, 1.0);
+    float band = width * clamp(abs(behind) / footprint, 1e-3, 1.0);
+    float share = clamp(0.5 + inside / band, 0.0, 1.0);
     return before > 0.0 ? vec2(share, 0.0) : vec2(0.0, share);
 }
 
@@ -70,7 +72,7 @@ float hidden_share(int layer, vec3 lamp, vec3 point, int own, float footprint) {
             continue;
         met_before = ivec4(met.w, met_before.xyz);
         met = ivec4(quad, met.xyz);
-        hidden += hidden_by(quad, lamp, point, direction, width);
+        hidden += hidden_by(quad, lamp, point, direction, width, footprint);
     }
     return min(1.0, max(hidden.x, hidden.y));
 }

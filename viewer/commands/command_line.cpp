@@ -190,6 +190,11 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
     add_value(*command, "--path", "PATH.toml",
               "[[camera]] and [[light]] keyframes: draws numbered pictures along them, as --live",
               [&request](const std::string& text) { request.path = text; });
+    add_value(*command, "--opengl", "NAME",
+              "what draws: osmesa (default), the processor, or egl, graphics hardware if there is",
+              [&request](const std::string& text) {
+                  request.opengl = opengl_argument("--opengl", text);
+              });
     command->add_flag("--contours", request.contours, "contour lines in --view lux");
     add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
               [&request](const std::string& text) {

@@ -50,6 +50,16 @@ int checked_samples(int samples) {
     return samples;
 }
 
+const GlobalTransport& require_diffuse(const GlobalTransport& transport) {
+    for (const Element& element : transport.space.elements())
+        if (element.angle.functions() > 1)
+            throw InputError(fmt::format(
+                "{} is glossy; live pictures show diffuse light alone, leave --live, --path and "
+                "--view coefficients out",
+                transport.scene.describe(element.quad)));
+    return transport;
+}
+
 /// "walk.png", picture 0 of 250: "walk-0001.png".
 std::string numbered(const std::string& output, int frame, int frames) {
     const std::filesystem::path path(output);
@@ -62,10 +72,11 @@ std::string numbered(const std::string& output, int frame, int frames) {
 }  // namespace
 
 LivePictures::LivePictures(const OpenedOperator& opened, View view, const PixelSize& size,
-                           int samples)
-    : context_(make_offscreen_context()),
-      frame_(opened.transport, std::make_unique<ShadowProjection>(opened.transport.space,
-                                                                  opened.quads, opened.occluders)),
+                           int samples, OffscreenGl opengl)
+    : context_(make_context(opengl)),
+      frame_(require_diffuse(opened.transport),
+             std::make_unique<ShadowProjection>(opened.transport.space, opened.quads,
+                                                opened.occluders)),
       renderer_(opened.transport, context_->loader()),
       view_(frame_view(view, checked_samples(samples))),
       size_(size) {}
@@ -85,7 +96,7 @@ void draw_path(const OpenedOperator& opened, const PathRequest& request) {
     const Keyframes keyframes = read_path(request.path_file, opened.transport.scene.up);
     const int frames = keyframes.frames();
     require_writable(numbered(request.output, 0, frames));
-    LivePictures pictures(opened, request.view, request.size, request.samples);
+    LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl);
     PictureOutput output(request.view, request.exposure, request.contours);
     std::optional<ProgressLine> line;
     const Progress progress =

@@ -18,8 +18,10 @@ namespace lightwell {
 class LivePictures {
   public:
     /// @param samples  a side in every pixel, at most 4
-    /// @throws InputError for more samples; SystemError if OpenGL fails
-    LivePictures(const OpenedOperator& opened, View view, const PixelSize& size, int samples);
+    /// @throws InputError for more samples and for an operator of glossy surfaces; SystemError if
+    /// OpenGL fails
+    LivePictures(const OpenedOperator& opened, View view, const PixelSize& size, int samples,
+                 OffscreenGl opengl);
 
     /// The linear picture, in the view's unit.
     /// @throws InputError for a camera that cannot be used; SystemError if OpenGL fails
@@ -45,6 +47,7 @@ struct PathRequest {
     bool contours = false;
     Camera camera;              ///< where the path has none
     std::vector<Light> lights;  ///< beside those of the path
+    OffscreenGl opengl = OffscreenGl::osmesa;
 };
 /// @throws Interrupted between two pictures, with all that are there complete; InputError for a
 /// path that cannot be used; SystemError if OpenGL or the disk fails

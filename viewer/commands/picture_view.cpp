@@ -18,4 +18,10 @@ View view_argument(const std::string& option, const std::string& text) {
                                         "coefficients");
 }
 
+OffscreenGl opengl_argument(const std::string& option, const std::string& text) {
+    if (text == "osmesa") return OffscreenGl::osmesa;
+    if (text == "egl") return OffscreenGl::egl;
+    throw InputError(Place{option}, in_quotes(text) + " is not osmesa or egl");
+}
+
 }  // namespace lightwell

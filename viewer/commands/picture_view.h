@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "viewer/offscreen/gl_context.h"
+
 namespace lightwell {
 
 /// What a picture shows.
@@ -17,5 +19,9 @@ enum class View {
 /// "total", "direct", "indirect", "lux", "level" or "coefficients".
 /// @throws InputError for any other word
 View view_argument(const std::string& option, const std::string& text);
+
+/// "osmesa" or "egl".
+/// @throws InputError for any other word
+OffscreenGl opengl_argument(const std::string& option, const std::string& text);
 
 }  // namespace lightwell

@@ -125,17 +125,18 @@ void run_render(const RenderRequest& request) {
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
     const Camera camera = chosen_camera(request, opened);
     if (request.path) {
-        draw_path(opened, {*request.path, request.output, request.view, request.size,
-                           request.samples, request.exposure, request.contours, camera, lights});
+        draw_path(opened,
+                  {*request.path, request.output, request.view, request.size, request.samples,
+                   request.exposure, request.contours, camera, lights, request.opengl});
         return;
     }
     PictureOutput output(request.view, request.exposure, request.contours);
     if (request.live || request.view == View::coefficients) {
-        LivePictures pictures(opened, request.view, request.size, request.samples);
+        LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl);
         output.write(pictures.drawn(lights, camera), request.output);
         return;
     }
-    const std::unique_ptr<GlContext> context = make_offscreen_context();
+    const std::unique_ptr<GlContext> context = make_context(request.opengl);
     const SurfaceDrawing drawing(opened.quads, context->loader());
     PictureSize size;
     size.width = request.size.width;

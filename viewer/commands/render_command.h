@@ -5,6 +5,7 @@
 
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/picture_view.h"
+#include "viewer/offscreen/gl_context.h"
 
 namespace lightwell {
 
@@ -29,6 +30,7 @@ struct RenderRequest {
     bool live = false;                ///< drawn as a window draws it, see LivePictures
     std::optional<std::string> path;  ///< a file of keyframes: pictures along it, drawn live
     bool contours = false;            ///< contour lines in View::lux
+    OffscreenGl opengl = OffscreenGl::osmesa;
 };
 
 /// Renders a picture into a file, or along a path into numbered files, without a display. A PNG is

@@ -22,7 +22,7 @@ class GlContext {
     /// The entry point of that name, null where there is none. Valid while this context is current.
     virtual GlFunction function(const char* name) const = 0;
     /// Version and renderer, for messages: "OpenGL 4.5 (Core Profile) Mesa 22.3.6, llvmpipe ...".
-    virtual std::string description() const = 0;
+    virtual std::string description() const;
 
     /// `function` as a loader; the context must outlive it.
     GlLoader loader() const {
@@ -41,5 +41,16 @@ struct GlVersion {
 /// framebuffer objects.
 /// @throws SystemError if there is no core profile of that version.
 std::unique_ptr<GlContext> make_offscreen_context(const GlVersion& version = {});
+
+/// The same by EGL without a surface, drawn by graphics hardware where there is some. EGL is loaded
+/// here, and only here, when it is asked for.
+/// @throws SystemError if there is no EGL, or no core profile of that version.
+std::unique_ptr<GlContext> make_egl_context(const GlVersion& version = {});
+
+/// Where pictures are drawn without a window.
+enum class OffscreenGl { osmesa, egl };
+
+/// make_offscreen_context or make_egl_context.
+std::unique_ptr<GlContext> make_context(OffscreenGl kind);
 
 }  // namespace lightwell

@@ -46,15 +46,6 @@ class OsmesaContext : public GlContext {
 
     GlFunction function(const char* name) const override { return OSMesaGetProcAddress(name); }
 
-    std::string description() const override {
-        const auto get_string = reinterpret_cast<PFNGLGETSTRINGPROC>(function("glGetString"));
-        const auto text = [&](unsigned name) {
-            const auto* found = get_string ? get_string(name) : nullptr;
-            return std::string(found ? reinterpret_cast<const char*>(found) : "unknown");
-        };
-        return fmt::format("OpenGL {}, {}", text(GL_VERSION), text(GL_RENDERER));
-    }
-
   private:
     std::array<unsigned char, 4 * side* side> pixels_ = {};
     OSMesaContext context_ = nullptr;

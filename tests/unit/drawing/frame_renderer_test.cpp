@@ -8,7 +8,10 @@
 #include "radiance4d/scene/direct_light.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/drawing/camera_rays.h"
+#include "tests/unit/drawing/drawn_bytes.h"
 #include "tests/unit/drawing/room_with_blocks.h"
+#include "viewer/images/false_colour.h"
+#include "viewer/images/tone.h"
 #include "viewer/offscreen/gl_context.h"
 
 namespace lightwell {
@@ -138,6 +141,136 @@ TEST_F(FrameRendererTest, EmittingQuadsAgreeWithExactLight) {
     EXPECT_LT(agreement.median, 2e-5);
     EXPECT_LT(agreement.far_off, 0.1);
     EXPECT_LT(agreement.mean, 0.003);
+}
+
+Image image_of(const LinearPicture& picture) {
+    Image image(picture.width, picture.height);
+    for (std::size_t p = 0; p < image.pixels().size(); ++p)
+        image.pixels()[p] = Eigen::Map<const Image::Pixel>(picture.rgb.data() + 3 * p);
+    return image;
+}
+
+/// Whether every channel of a drawn frame is, to one step, what `image`, the light of a display,
+/// comes to.
+void expect_shown(const testing::BytePicture& drawn, const Image& image) {
+    int off = 0;
+    for (std::size_t k = 0; k < drawn.rgb.size(); ++k) {
+        const double linear = static_cast<double>(image.pixels()[k / 3][static_cast<int>(k % 3)]);
+        off += std::abs(drawn.rgb[k] - 255 * srgb_encoded(linear)) > 1.0;
+    }
+    EXPECT_EQ(off, 0);
+}
+
+class ShownFrame : public FrameRendererTest {
+  protected:
+    ShownFrame() { renderer_.set_lights(room_.lamps); }
+    testing::BytePicture shown(const FrameView& view) {
+        return testing::drawn_bytes(renderer_, context_->loader(), room_.camera, view, 64, 48);
+    }
+    Image linear(const FrameView& view) {
+        return image_of(renderer_.linear(room_.camera, view, 64, 48));
+    }
+
+    TestRoom room_;
+    FrameRenderer renderer_{room_.transport, context_->loader()};
+};
+
+// The shaders' tone curve, sRGB and false colours are those of the pictures that are written.
+TEST_F(ShownFrame, IsDevelopedAsPicturesAre) {
+    FrameView view;
+    view.exposure = -3;
+    for (const bool curve : {true, false}) {
+        view.tone_curve = curve;
+        for (const int samples : {1, 2}) {
+            view.samples = samples;
+            expect_shown(shown(view),
+                         develop(linear(view), {-3, curve ? ToneCurve::filmic : ToneCurve::clip}));
+        }
+    }
+}
+
+TEST_F(ShownFrame, HasTheFalseColoursOfPictures) {
+    FrameView view;
+    view.picture = Picture::lux;
+    view.lux_maximum = 150;
+    view.lux_divisions = 5;
+    FalseColour style;
+    style.maximum = view.lux_maximum;
+    style.divisions = view.lux_divisions;
+    style.legend = false;
+    for (const bool contours : {false, true}) {
+        view.contours = style.contours = contours;
+        expect_shown(shown(view), false_coloured(linear(view), style));
+    }
+}
+
+TEST_F(ShownFrame, TellsWhatAPixelShows) {
+    const Visibility visibility(room_.quads);
+    EXPECT_FALSE(renderer_.seen_at(3, 3));
+    for (const int samples : {1, 2}) {
+        FrameView view;
+        view.samples = samples;
+        shown(view);
+        const CameraRays rays(room_.camera, 64, 48);
+        int same = 0;
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const auto seen = renderer_.seen_at(x, y);
+                ASSERT_TRUE(seen);
+                const Hit hit = visibility.nearest(rays.position(), free_point,
+                                                   rays.direction(x + 0.5, y + 0.5));
+                if (seen->quad != hit.quad) continue;
+                ++same;
+                EXPECT_NEAR((seen->position - rays.position()).norm(), hit.distance, 1e-5);
+                EXPECT_EQ(seen->front, hit.front);
+            }
+        // Between four samples, one of them is told of.
+        EXPECT_GT(same, samples == 1 ? 64 * 48 - 10 : 0.95 * 64 * 48);
+    }
+    EXPECT_FALSE(renderer_.seen_at(64, 3));
+    EXPECT_FALSE(renderer_.seen_at(-1, 3));
+}
+
+// Others draw with the context, too.
+TEST_F(ShownFrame, LeavesTheFramebufferThatItFound) {
+    const GlFunctions gl(context_->loader());
+    const GlObject framebuffer = make_framebuffer(gl);
+    gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    renderer_.set_lights({PointLight{"other", Vec3(1, 1, 1), Rgb::Ones()}});
+    linear({});
+    renderer_.seen_at(1, 1);
+    for (const unsigned binding : {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING}) {
+        int bound = 0;
+        gl.get_integerv(binding, &bound);
+        EXPECT_EQ(static_cast<unsigned>(bound), framebuffer.name());
+    }
+    gl.bind_framebuffer(GL_FRAMEBUFFER, 0);
+}
+
+// A lamp a millimetre off a wall, and one on the other side of it: neither leaks nor acne.
+TEST_F(FrameRendererTest, LampsCloseToWallsLightWhatTheyShould) {
+    const TestRoom room;
+    const std::vector<Light> close = {PointLight{"close", Vec3(0.001, 2.0, 1.2), Rgb::Ones()}};
+    EXPECT_LT(compare(lux(room, close), room, close).mean, 0.01);
+    const std::vector<Light> outside = {PointLight{"out", Vec3(-0.001, 2.0, 1.2), Rgb::Ones()}};
+    const LinearPicture dark = lux(room, outside);
+    EXPECT_EQ(*std::max_element(dark.rgb.begin(), dark.rgb.end()), 0);
+}
+
+TEST_F(FrameRendererTest, ManyLampsAddUp) {
+    const TestRoom room;
+    std::vector<Light> lamps;
+    std::vector<float> sum(3 * 32 * 24, 0);
+    for (int k = 0; k < 9; ++k) {
+        lamps.push_back(
+            PointLight{"lamp", Vec3(0.3 + 0.27 * k, 0.5 + 0.3 * k, 2.2), Rgb::Constant(10 + k)});
+        const LinearPicture alone = lux(room, {lamps.back()}, 32, 24);
+        for (std::size_t p = 0; p < sum.size(); ++p)
+            sum[p] += alone.rgb[p];
+    }
+    const LinearPicture all = lux(room, lamps, 32, 24);
+    for (std::size_t p = 0; p < sum.size(); ++p)
+        EXPECT_NEAR(all.rgb[p], sum[p], 1e-4f * (1 + sum[p]));
 }
 
 }  // namespace
