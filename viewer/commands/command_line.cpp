@@ -20,6 +20,7 @@
 #include "viewer/commands/output.h"
 #include "viewer/commands/precompute_command.h"
 #include "viewer/commands/render_command.h"
+#include "viewer/commands/stability_command.h"
 #include "viewer/commands/stop_signal.h"
 #include "viewer/commands/verify_command.h"
 #include "viewer/commands/view_command.h"
@@ -38,6 +39,7 @@ struct Requests {
     MeasureRequest measure;
     RenderRequest render;
     VerifyRequest verify;
+    bool stability = false;  ///< verify the program rather than a file
     std::optional<int> threads;
 };
 
@@ -208,7 +210,9 @@ CLI::App* add_verify(CLI::App& app, Requests& requests) {
     VerifyRequest& request = requests.verify;
     CLI::App* command = app.add_subcommand(
         "verify", "measure the error of a .gto file afresh, with path tracing as the judge");
-    command->add_option("FILE", request.operator_file, "the .gto file")->type_name("")->required();
+    command->add_option("FILE", request.operator_file, "the .gto file")->type_name("");
+    command->add_flag("--stability", requests.stability,
+                      "instead of a file: how Lightwell does where methods like it fail; minutes");
     add_value(*command, "--lights", "N", "lamps to judge, anywhere in the rooms; 40 by default",
               [&request](const std::string& text) {
                   request.options.lights = whole_argument("--lights", text, 4, 100'000);
@@ -227,6 +231,13 @@ CLI::App* add_verify(CLI::App& app, Requests& requests) {
         "--no-progress", [&request] { request.progress = false; }, "show no progress");
     add_threads(*command, requests);
     return command;
+}
+
+void run_verification(const Requests& requests) {
+    if (requests.stability) return run_stability(requests.verify.json);
+    if (requests.verify.operator_file.empty())
+        throw InputError("verify: FILE is required, or --stability; see lightwell verify --help");
+    run_verify(requests.verify);
 }
 
 /// The window's program reads what follows, --help included.
@@ -270,7 +281,7 @@ void run(int argc, const char* const* argv) {
         {add_info(app, requests), [&requests] { run_info(requests.info); }},
         {add_measure(app, requests), [&requests] { run_measure(requests.measure); }},
         {add_render(app, requests), [&requests] { run_render(requests.render); }},
-        {add_verify(app, requests), [&requests] { run_verify(requests.verify); }}};
+        {add_verify(app, requests), [&requests] { run_verification(requests); }}};
     const CLI::App* view = add_view(app);
     require_known_command(argc, argv, app);
     try {
