@@ -22,23 +22,22 @@ namespace {
         fmt::format("{}: cannot {}: {}", path, act, std::generic_category().message(code)));
 }
 
-/// A file that is removed again unless it is renamed.
+/// A file that is gone again unless it is renamed. Where the system can, it has no name until then,
+/// so that not even a killed program leaves a part of it behind.
 class Temporary {
   public:
     /// Made with the permissions that the user's umask allows any new file.
     explicit Temporary(const std::string& target) : target_(target) {
-        for (int attempt = 0; descriptor_ < 0; ++attempt) {
-            name_ = fmt::format("{}.{}-{}.part", target, getpid(), attempt);
-            descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ >= 0 || errno == EEXIST) continue;
-            if (errno == ENOENT || errno == ENOTDIR)
-                throw InputError(target + ": the folder does not exist");
-            fail(target, "write", errno);
-        }
+        const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+        if (access(open_files, X_OK) == 0)
+            descriptor_ =
+                open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+        has_name_ = descriptor_ < 0;
+        if (has_name_) descriptor_ = named();
     }
     ~Temporary() {
         if (descriptor_ >= 0) close(descriptor_);
-        if (!renamed_) unlink(name_.c_str());
+        if (has_name_) unlink(name_.c_str());
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
@@ -51,15 +50,16 @@ class Temporary {
             bytes.remove_prefix(static_cast<std::size_t>(written));
         }
         if (fsync(descriptor_) != 0) fail(target_, "write", errno);
+        if (!has_name_) return;
+        // Network file systems tell of a lost write when the file is closed.
         const int code = close(descriptor_) == 0 ? 0 : errno;
-        descriptor_ = -1;
-        if (code != 0) fail(target_, "write", code);
+        descriptor_ = code == 0 ? open(name_.c_str(), O_RDONLY | O_CLOEXEC) : -1;
+        if (descriptor_ < 0) fail(target_, "write", code == 0 ? errno : code);
     }
 
     /// Some file systems report a lost write to nobody, so the file itself is asked.
     void compare(std::string_view bytes) {
-        descriptor_ = open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-        if (descriptor_ < 0) fail(target_, "read back", errno);
+        if (lseek(descriptor_, 0, SEEK_SET) != 0) fail(target_, "read back", errno);
         std::vector<char> block(std::size_t{1} << 16);
         for (;;) {
             const ssize_t count = read(descriptor_, block.data(), block.size());
@@ -75,15 +75,45 @@ class Temporary {
     }
 
     void rename_to_target() {
+        if (!has_name_) give_name();
         if (std::rename(name_.c_str(), target_.c_str()) != 0) fail(target_, "write", errno);
-        renamed_ = true;
+        has_name_ = false;
     }
 
   private:
+    /// Where the system lists the open files of a process.
+    static constexpr const char* open_files = "/proc/self/fd";
+
+    std::string next_name() { return fmt::format("{}.{}-{}.part", target_, getpid(), attempt_++); }
+
+    int named() {
+        for (;;) {
+            name_ = next_name();
+            const int descriptor = open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor >= 0) return descriptor;
+            if (errno == EEXIST) continue;
+            has_name_ = false;
+            if (errno == ENOENT || errno == ENOTDIR)
+                throw InputError(target_ + ": the folder does not exist");
+            fail(target_, "write", errno);
+        }
+    }
+
+    void give_name() {
+        const std::string here = fmt::format("{}/{}", open_files, descriptor_);
+        do {
+            name_ = next_name();
+            has_name_ =
+                linkat(AT_FDCWD, here.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+        } while (!has_name_ && errno == EEXIST);
+        if (!has_name_) fail(target_, "write", errno);
+    }
+
     std::string target_;
     std::string name_;
     int descriptor_ = -1;
-    bool renamed_ = false;
+    int attempt_ = 0;
+    bool has_name_ = false;
 };
 
 /// Forces the new name to the disk. Not every file system can; the file itself is safe already.

@@ -38,6 +38,12 @@ unsigned index_or_none(int quad) {
     return quad < 0 ? RTC_INVALID_GEOMETRY_ID : static_cast<unsigned>(quad);
 }
 
+const char* why_no_device() {
+    return rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU
+               ? "this processor is not supported"
+               : "cannot start, most likely for want of memory";
+}
+
 }  // namespace
 
 struct Visibility::Tracer {
@@ -86,7 +92,7 @@ Visibility::Visibility(const std::vector<Quad>& quads) : tracer_(std::make_uniqu
     // One instruction set for all machines that have it, so that answers do not change from one to
     // the next.
     tracer.device = rtcNewDevice("isa=avx2");
-    tracer.require(tracer.device != nullptr, "no device");
+    tracer.require(tracer.device != nullptr, why_no_device());
     tracer.scene = rtcNewScene(tracer.device);
     rtcSetSceneFlags(tracer.scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(tracer.scene, RTC_BUILD_QUALITY_MEDIUM);

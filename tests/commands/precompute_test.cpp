@@ -75,6 +75,20 @@ TEST(Precompute, SaysWhatItMakesOfGloss) {
               "same mean albedo, without reflections that depend on direction\n");
 }
 
+TEST(Precompute, SaysWhatBrightMaterialsDo) {
+    const ScratchFolder folder;
+    const std::string scene = folder.write(
+        "two.obj",
+        "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\n"
+        "v 0 1 1\nusemtl snow\nf 1 2 3 4\nusemtl top\nf 8 7 6 5\n");
+    folder.write("two.mtl", "newmtl snow\nKd 0.97 0.97 0.97\nnewmtl top\nKd 0.5 0.5 0.5\n");
+    const Words words = {"precompute", scene, "-o",         folder / "two.gto",
+                         "--error",    "0.3", "--attempts", "0"};
+    const ProgramRun run = lightwell(words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("warning: 'snow': more than 95 %"), std::string::npos) << run.err;
+}
+
 TEST(Precompute, RefusesOrScalesWhatMakesLight) {
     const ScratchFolder folder;
     Words words = {"precompute", glossy_scene(folder, "0.5"),

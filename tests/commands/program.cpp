@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,19 @@ std::array<int, 2> channel(bool terminal) {
     return ends;
 }
 
+/// Of this process and what it becomes.
+void limit(const ProgramSetting& setting) {
+    if (setting.memory_limit > 0) {
+        const rlimit memory{setting.memory_limit, setting.memory_limit};
+        setrlimit(RLIMIT_AS, &memory);
+    }
+    if (setting.limits_files) {
+        const rlimit files{setting.file_limit, setting.file_limit};
+        setrlimit(RLIMIT_FSIZE, &files);
+        signal(SIGXFSZ, SIG_IGN);  // the write fails instead, as on a full disk
+    }
+}
+
 }  // namespace
 
 ProgramRun lightwell(const std::vector<std::string>& arguments, const ProgramSetting& setting) {
@@ -66,6 +80,9 @@ ProgramRun lightwell(const std::vector<std::string>& arguments, const ProgramSet
         if (!setting.out_file.empty()) target = open(setting.out_file.c_str(), O_WRONLY);
         dup2(target, STDOUT_FILENO);
         dup2(err[1], STDERR_FILENO);
+        limit(setting);
+        for (const auto& [name, value] : setting.environment)
+            setenv(name.c_str(), value.c_str(), 1);
         execv(argv[0], argv.data());
         _exit(127);
     }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lightwell {
@@ -16,11 +18,15 @@ struct ProgramRun {
 
 /// How to run it.
 struct ProgramSetting {
-    int signal = 0;             ///< to send, 0: none
-    double signal_after = 0;    ///< when [s]
-    std::string signal_at;      ///< or, if not empty, once standard error holds this text
-    bool on_terminal = false;   ///< standard error is a terminal
-    std::string out_file = "";  ///< where standard output goes instead
+    int signal = 0;                  ///< to send, 0: none
+    double signal_after = 0;         ///< when [s]
+    std::string signal_at;           ///< or, if not empty, once standard error holds this text
+    bool on_terminal = false;        ///< standard error is a terminal
+    std::string out_file = "";       ///< where standard output goes instead
+    std::uint64_t memory_limit = 0;  ///< of the address space [bytes], 0: none
+    bool limits_files = false;       ///< whether no file may grow beyond ...
+    std::uint64_t file_limit = 0;    ///< ... so much [bytes], as if the disk were full
+    std::vector<std::pair<std::string, std::string>> environment;  ///< variables to set
 };
 
 /// Runs the program and waits for its end.

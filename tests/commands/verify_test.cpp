@@ -64,6 +64,24 @@ TEST(Verify, RefusesWhatMakesNoSense) {
     EXPECT_EQ(lightwell({"verify", "x.gto", "--seed", "-1"}).status, 1);
 }
 
+TEST(Verify, NeedsAFileOrTheTableOfFailureModes) {
+    const ProgramRun run = lightwell({"verify"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("FILE is required, or --stability"), std::string::npos) << run.err;
+}
+
+// The first rows of the table; the rest is measured by tests of their own.
+TEST(Verify, PrintsTheTableOfFailureModesUntilItIsStopped) {
+    ProgramSetting setting;
+    setting.signal = 2;
+    setting.signal_after = 0.2;
+    const ProgramRun run = lightwell({"verify", "--stability"}, setting);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(run.out.rfind("F1 ", 0), 0U) << run.out;
+    EXPECT_NE(run.out.find("met "), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("FAILED"), std::string::npos) << run.out;
+}
+
 TEST(Verify, StopsOnRequest) {
     const ScratchFolder folder;
     const std::string file = precomputed(folder, sample_scene("cornell-box"));

@@ -9,6 +9,7 @@
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/operator/operator_file.h"
+#include "radiance4d/scene/brdf.h"
 #include "solver/radiance_bounce.h"
 #include "solver/reading/input_file.h"
 #include "viewer/commands/output.h"
@@ -62,6 +63,21 @@ void warn_of_gloss(const Scene& scene, const PrecomputeOptions& options) {
                 in_quotes(need.material), options.error, 100 * need.error));
 }
 
+/// Says what bright materials do to what is stored.
+void warn_of_brightness(const Scene& scene) {
+    constexpr double bright = 0.95;
+    std::string names;
+    for (const Material& material : scene.materials)
+        if (mean_albedo(material).maxCoeff() > bright)
+            names += (names.empty() ? "" : ", ") + in_quotes(material.name);
+    if (!names.empty())
+        print_message(fmt::format(
+            "warning: {}: more than {:.0f} % of light is reflected; where all is that bright, a "
+            "moving lamp's light may be off by a per cent as a whole. measure and render gather "
+            "it anew and keep the balance",
+            names, 100 * bright));
+}
+
 GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
                         PrecomputeReport& report) {
     std::optional<ProgressLine> line;
@@ -84,6 +100,7 @@ void run_precompute(const PrecomputeRequest& request) {
         for (const Warning& warning : read.report.warnings)
             print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
     warn_of_gloss(read.scene, request.options);
+    if (!request.quiet) warn_of_brightness(read.scene);
     if (!request.quiet && request.options.truncation == 0.0)
         print_message(
             "warning: --truncation 0 keeps every coefficient of every bounce: memory and file grow "
