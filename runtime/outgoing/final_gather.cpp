@@ -28,10 +28,11 @@ Eigen::Matrix3d frame_about(const Vec3& z) {
 }  // namespace
 
 FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& visibility,
-                         std::vector<SmoothSurface> incident, int strata)
+                         std::vector<SmoothSurface> incident, int strata, const GlossyLight* glossy)
     : transport_(transport),
       visibility_(visibility),
       incident_(std::move(incident)),
+      glossy_(glossy),
       albedo_(mean_albedos(transport.scene.materials)) {
     // One jittered point per stratum of the angular square, the same for every sensor: neighbouring
     // sensors then differ by what they see and not by chance.
@@ -41,6 +42,7 @@ FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& vis
         for (int j = 0; j < strata; ++j) {
             const double s = (i + uniform()) / strata;
             const double t = (j + uniform()) / strata;
+            square_.emplace_back(s, t);
             directions_.push_back(direction_from_square({s, t}));
         }
 }
@@ -55,12 +57,58 @@ Rgb FinalGather::irradiance(const Vec3& point, const Vec3& normal, int on_quad) 
         if (!hit) continue;
         const int element = transport_.space.element_on(hit.quad, hit.front);
         if (element < 0) continue;
-        const Element& met = transport_.space.element(static_cast<std::size_t>(element));
-        const Vec2 uv = met.geometry.parameters(point + hit.distance * direction);
-        sum += albedo_[transport_.scene.material_number(hit.quad)] *
-               incident_[static_cast<std::size_t>(element)].at(uv[0], uv[1]);
+        const auto e = static_cast<std::size_t>(element);
+        const Element& met = transport_.space.element(e);
+        const Vec3 at = point + hit.distance * direction;
+        if (glossy_ != nullptr && glossy_->is_glossy(e)) {
+            sum += M_PI * glossy_->radiance(e, at, -direction);
+            continue;
+        }
+        const Vec2 uv = met.geometry.parameters(at);
+        sum += albedo_[transport_.scene.material_number(hit.quad)] * incident_[e].at(uv[0], uv[1]);
     }
     return sum / static_cast<double>(directions_.size());
+}
+
+GatheredRadiance FinalGather::against(const Vec3& point, int on_quad, const Vec3& direction) const {
+    GatheredRadiance light;
+    const Hit hit = visibility_.nearest(point, on_quad, direction);
+    if (!hit) return light;
+    const Material& material = transport_.scene.material_of(hit.quad);
+    if (hit.front || material.emitting == Sides::both) light.emitted = material.emission;
+    const int element = transport_.space.element_on(hit.quad, hit.front);
+    if (element < 0 || !(hit.front || material.reflecting == Sides::both)) return light;
+    const auto e = static_cast<std::size_t>(element);
+    const Vec3 at = point + hit.distance * direction;
+    if (glossy_ != nullptr && glossy_->is_glossy(e)) {
+        light.indirect = glossy_->radiance(e, at, -direction);
+        return light;
+    }
+    const Vec2 uv = transport_.space.element(e).geometry.parameters(at);
+    light.indirect =
+        albedo_[transport_.scene.material_number(hit.quad)] / M_PI * incident_[e].at(uv[0], uv[1]);
+    return light;
+}
+
+GatheredRadiance FinalGather::from_lobe(std::size_t element, const Vec3& point,
+                                        const Vec3& direction) const {
+    const Element& e = transport_.space.element(element);
+    const Lobe& lobe = transport_.scene.material_of(e.quad).lobe;
+    const Eigen::Matrix3d frame = local_frame(e.geometry);
+    const Vec3 towards = frame.transpose() * direction;
+    GatheredRadiance sum;
+    if (!(towards[2] > 0)) return sum;
+    for (const Vec2& square : square_) {
+        const Vec3 from = sampled_direction(lobe, towards, square);
+        if (!(from[2] > 0)) continue;
+        const double weight =
+            lobe_value(lobe, from, towards) * from[2] / sampling_density(lobe, towards, from);
+        const GatheredRadiance light = against(point, e.quad, frame * from);
+        sum.indirect += weight * light.indirect;
+        sum.emitted += weight * light.emitted;
+    }
+    const Rgb share = lobe_reflectance(lobe) / static_cast<double>(square_.size());
+    return {share * sum.indirect, share * sum.emitted};
 }
 
 }  // namespace lightwell

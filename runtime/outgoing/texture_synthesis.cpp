@@ -80,11 +80,11 @@ std::vector<TextureSynthesis::TexturedElement> TextureSynthesis::textured(
     std::vector<TexturedElement> result;
     for (std::size_t e = 0; e < transport.space.elements().size(); ++e) {
         const Element& element = transport.space.element(e);
-        LIGHTWELL_CHECK_OP(element.angle.functions(), ==, 1U);
         const CellTree& tree = element.space.tree();
         TexturedElement textured{PackedHaar(element.space),
                                  element.first,
-                                 tree.functions(),
+                                 element.functions(),
+                                 element.angle.functions(),
                                  levels[e],
                                  {},
                                  {},
@@ -225,7 +225,7 @@ std::size_t TextureSynthesis::synthesise(const PackedField& field) {
 void TextureSynthesis::fill_texture(std::size_t e, const PackedField& field) {
     TexturedElement& element = elements_[e];
     PackedField& scaling = element.scaling;
-    element.haar.synthesise(field, element.first, element.level, scaling);
+    element.haar.synthesise(field, element.first, element.level, scaling, element.angles);
     for (std::size_t m = 0; m < element.to_lux.size(); ++m)
         scaling.col(static_cast<Eigen::Index>(m)) *= element.to_lux[m];
     for (const BuriedTexel& buried : element.buried) {

@@ -49,6 +49,7 @@ class TextureSynthesis {
     struct TexturedElement {
         PackedHaar haar;
         std::uint32_t first, functions;  ///< of its coefficients
+        std::uint32_t angles;            ///< angular functions to each spatial one
         int level;
         std::vector<float> to_lux;               ///< by cell of the level
         std::vector<std::pair<int, int>> texel;  ///< column and row, by cell of the level

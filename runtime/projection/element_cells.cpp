@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radiance4d/failure.h"
-
 namespace lightwell {
 
 namespace {
@@ -35,10 +33,10 @@ ElementCells::Nodes nodes_of(const Quad& cell, const Vec3& origin) {
 ElementCells::ElementCells(const Element& element)
     : haar_(element.space),
       first_(element.first),
+      stride_(element.angle.functions()),
       centre_(element.geometry.centre()),
       normal_(element.geometry.normal()),
       extent_(longer_diagonal(element.geometry)) {
-    LIGHTWELL_CHECK_OP(element.angle.functions(), ==, 1U);
     for (std::uint32_t position = 0; position < tree().positions(); ++position) {
         const Cell cell = tree().at(position);
         const Quad quad = element.cell(cell);
@@ -54,7 +52,7 @@ ElementCells::ElementCells(const Element& element)
 void ElementCells::analyse(PackedField& flux, PackedField& field) const {
     for (std::uint32_t m = 0; m < tree().functions(); ++m)
         flux.col(m) *= per_flux_[m];
-    haar_.analyse(flux, field, first_);
+    haar_.analyse(flux, field, first_, stride_);
 }
 
 }  // namespace lightwell

@@ -10,9 +10,10 @@
 
 namespace lightwell {
 
-/// The cells of one diffuse element as light projection needs them: where they lie, and how the
-/// flux on them becomes coefficients. Coordinates are relative to the element's centre, so that
-/// single precision is enough wherever the element stands.
+/// The cells of one element as light projection needs them: where they lie, and how the flux on
+/// them becomes coefficients; of the angular means alone where the element is glossy, so that light
+/// falls on it as if it were diffuse (WRT section 5.1). Coordinates are relative to the element's
+/// centre, so that single precision is enough wherever the element stands.
 class ElementCells {
   public:
     explicit ElementCells(const Element& element);
@@ -46,6 +47,7 @@ class ElementCells {
   private:
     PackedHaar haar_;
     std::uint32_t first_;
+    std::uint32_t stride_;  ///< angular functions to each spatial one
     Vec3 centre_, normal_;
     double extent_;
     std::vector<FourPoints> corners_;

@@ -15,7 +15,18 @@ namespace lightwell {
 namespace {
 
 constexpr std::int64_t largest_csv = std::int64_t(256) << 20;
-constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+
+/// What a file's rows hold.
+struct RowKind {
+    std::array<std::string_view, 6> names;
+    std::string_view columns;    ///< the names in a row
+    std::string_view direction;  ///< what the last three are
+    std::string_view plural;     ///< what a file has
+};
+constexpr RowKind sensor_rows = {
+    {"x", "y", "z", "nx", "ny", "nz"}, "x,y,z,nx,ny,nz", "normal", "sensors"};
+constexpr RowKind probe_rows = {
+    {"x", "y", "z", "dx", "dy", "dz"}, "x,y,z,dx,dy,dz", "direction", "probes"};
 
 /// A field of a row without the blanks around it.
 struct Field {
@@ -42,20 +53,22 @@ std::vector<Field> fields_of(std::string_view line) {
     return fields;
 }
 
-bool is_header(const std::vector<Field>& fields) {
-    if (fields.size() != names.size()) return false;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (fields[i].text != names[i]) return false;
+bool is_header(const std::vector<Field>& fields, const RowKind& kind) {
+    if (fields.size() != kind.names.size()) return false;
+    for (std::size_t i = 0; i < kind.names.size(); ++i)
+        if (fields[i].text != kind.names[i]) return false;
     return true;
 }
 
-Sensor sensor_from(const std::vector<Field>& fields, const std::string& file, int line) {
+Sensor sensor_from(const std::vector<Field>& fields, const RowKind& kind, const std::string& file,
+                   int line) {
+    const auto& names = kind.names;
     std::array<double, 6> value{};
     for (std::size_t i = 0; i < names.size(); ++i) {
         const Place place{file, line, i < fields.size() ? fields[i].column : 0};
         if (i >= fields.size() || fields[i].text.empty())
             throw InputError(place,
-                             fmt::format("{} is missing; a row is x,y,z,nx,ny,nz", names[i]));
+                             fmt::format("{} is missing; a row is {}", names[i], kind.columns));
         value[i] = number_from(fields[i].text, place);
         if (i < 3 && std::abs(value[i]) > largest_coordinate)
             throw InputError(place,
@@ -64,21 +77,20 @@ Sensor sensor_from(const std::vector<Field>& fields, const std::string& file, in
     if (fields.size() > names.size())
         throw InputError(
             Place{file, line, fields[names.size()].column},
-            fmt::format("{} numbers in the row; a row is x,y,z,nx,ny,nz", fields.size()));
+            fmt::format("{} numbers in the row; a row is {}", fields.size(), kind.columns));
     Sensor sensor;
     sensor.position = Vec3(value[0], value[1], value[2]);
     const Vec3 normal(value[3], value[4], value[5]);
     // Scaled by the largest component first: the square of a tiny or huge one is 0 or infinite.
     const double largest = normal.cwiseAbs().maxCoeff();
     if (!(largest > 0))
-        throw InputError(Place{file, line, fields[3].column}, "the normal has no length");
+        throw InputError(Place{file, line, fields[3].column},
+                         fmt::format("the {} has no length", kind.direction));
     sensor.normal = (normal / largest).normalized();
     return sensor;
 }
 
-}  // namespace
-
-std::vector<Sensor> read_sensors_csv(const std::string& path) {
+std::vector<Sensor> rows_of(const std::string& path, const RowKind& kind) {
     const std::string text = read_text(path, largest_csv);
     std::vector<Sensor> sensors;
     bool first_row = true;
@@ -91,11 +103,26 @@ std::vector<Sensor> read_sensors_csv(const std::string& path) {
         const std::vector<Field> fields = fields_of(row);
         const bool empty = fields.size() == 1 && fields[0].text.empty();
         if (empty || (!fields[0].text.empty() && fields[0].text[0] == '#')) continue;
-        if (!(first_row && is_header(fields))) sensors.push_back(sensor_from(fields, path, line));
+        if (!(first_row && is_header(fields, kind)))
+            sensors.push_back(sensor_from(fields, kind, path, line));
         first_row = false;
     }
-    if (sensors.empty()) throw InputError(Place{path}, "no sensors in the file");
+    if (sensors.empty())
+        throw InputError(Place{path}, fmt::format("no {} in the file", kind.plural));
     return sensors;
+}
+
+}  // namespace
+
+std::vector<Sensor> read_sensors_csv(const std::string& path) {
+    return rows_of(path, sensor_rows);
+}
+
+std::vector<LookingPoint> read_probes_csv(const std::string& path) {
+    std::vector<LookingPoint> probes;
+    for (const Sensor& row : rows_of(path, probe_rows))
+        probes.push_back({row.position, row.normal});
+    return probes;
 }
 
 }  // namespace lightwell

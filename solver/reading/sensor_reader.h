@@ -20,4 +20,13 @@ struct Sensor {
 /// length, and a file without sensors
 std::vector<Sensor> read_sensors_csv(const std::string& path);
 
+/// A point from which radiance is seen, and the direction that one looks along.
+struct LookingPoint {
+    Vec3 position = Vec3::Zero();    ///< [m]
+    Vec3 direction = Vec3::UnitX();  ///< unit length
+};
+
+/// Reads a file of radiance probes, as read_sensors_csv does: rows `x,y,z,dx,dy,dz`.
+std::vector<LookingPoint> read_probes_csv(const std::string& path);
+
 }  // namespace lightwell

@@ -96,6 +96,9 @@ CLI::App* add_precompute(CLI::App& app, Requests& requests) {
     command->add_flag("-q,--quiet", request.quiet, "print nothing but errors, and --json");
     command->add_flag_callback(
         "--no-progress", [&request] { request.progress = false; }, "show no progress");
+    command->add_flag_callback(
+        "--diffuse", [&options] { options.diffuse = true; },
+        "compute glossy materials as diffuse ones of equal albedo");
     const std::string by_hand = "Set by hand (they follow from --error otherwise)";
     add_value(*command, "--attempts", "N",
               "operators that may be built to reach the error; 0 builds one and does not judge it",
@@ -141,6 +144,11 @@ CLI::App* add_measure(CLI::App& app, Requests& requests) {
                   [&request](const std::string& text) { request.sensors = text; });
     add_value(*command, "--grid", "NAME", "a sensor grid of the scene, instead of a file",
               [&request](const std::string& text) { request.grid = text; })
+        ->excludes(sensors);
+    add_value(
+        *command, "--probes", "P.csv",
+        "rows of x,y,z,dx,dy,dz: radiance seen from a point along a direction, instead of lux",
+        [&request](const std::string& text) { request.probes = text; })
         ->excludes(sensors);
     add_lights(*command, request.lights);
     command

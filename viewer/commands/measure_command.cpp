@@ -9,12 +9,12 @@
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
-#include "radiance4d/scene/direct_light.h"
 #include "runtime/outgoing/final_gather.h"
 #include "runtime/outgoing/surface_lookup.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/reading/input_file.h"
 #include "solver/reading/sensor_reader.h"
+#include "viewer/commands/lit_scene.h"
 #include "viewer/commands/opened_operator.h"
 #include "viewer/commands/output.h"
 #include "viewer/commands/stop_signal.h"
@@ -50,7 +50,9 @@ std::vector<Sensor> chosen_sensors(const MeasureRequest& request, const Scene& s
     throw InputError(
         request.grid
             ? fmt::format("--grid: no sensor grid {}; {}", in_quotes(*request.grid), there)
-            : fmt::format("--sensors FILE.csv or --grid NAME is needed; grids: {}", there));
+            : fmt::format(
+                  "--sensors FILE.csv, --grid NAME or --probes FILE.csv is needed; grids: {}",
+                  there));
 }
 
 /// Indirect illuminance as the basis shows it.
@@ -86,25 +88,49 @@ std::vector<Reading> readings(const OpenedOperator& opened, const std::vector<Li
         stands.push_back(lookup.stand(sensor.position, sensor.normal));
     if (!gather) require_on_surface(stands, sensors);
 
-    const Lighting lighting =
-        light_scene(transport, lights, opened.quads, opened.occluders, Propagation::solved);
-    const DirectLight direct(transport.scene, opened.visibility, opened.occluders);
-    const std::vector<SmoothSurface> surfaces = smooth_irradiance(
-        transport.space,
-        gather ? RadianceField(lighting.direct + lighting.indirect) : lighting.indirect);
-    const FinalGather last_bounce(transport, opened.visibility, surfaces,
-                                  gather_strata(transport.provenance.error_asked));
+    const LitScene lit(opened, lights);
+    const std::vector<SmoothSurface> surfaces =
+        smooth_irradiance(transport.space, lit.lighting().indirect);
+    const FinalGather last_bounce = lit.gather(gather_strata(transport.provenance.error_asked));
 
     std::vector<Reading> result(sensors.size());
     tbb::parallel_for(std::size_t{0}, sensors.size(), [&](std::size_t k) {
         if (stop_requested()) throw Interrupted("stopped on request");
         const SensorStand& stand = stands[k];
         const Vec3& normal = sensors[k].normal;
-        result[k].direct = direct.irradiance(stand.point, normal, stand.quad, lights);
+        result[k].direct = lit.direct().irradiance(stand.point, normal, stand.quad, lights);
         result[k].indirect = gather ? last_bounce.irradiance(stand.point, normal, stand.quad)
                                     : basis_irradiance(transport.space, surfaces, stand);
     });
     return result;
+}
+
+/// What probes see [cd/m2].
+std::vector<Reading> looks(const OpenedOperator& opened, const std::vector<Light>& lights,
+                           const std::vector<LookingPoint>& probes, bool gather) {
+    const LitScene lit(opened, lights);
+    const std::vector<SmoothSurface> surfaces =
+        smooth_irradiance(opened.transport.space, lit.lighting().indirect);
+    const FinalGather last_bounce =
+        lit.gather(gather_strata(opened.transport.provenance.error_asked));
+    std::vector<Reading> result(probes.size());
+    tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t k) {
+        if (stop_requested()) throw Interrupted("stopped on request");
+        const SeenLight seen =
+            seen_light(opened, lit, lights, surfaces, gather ? &last_bounce : nullptr,
+                       probes[k].position, probes[k].direction);
+        result[k] = {seen.direct, seen.indirect};
+    });
+    return result;
+}
+
+std::string row(const Vec3& position, const Vec3& direction, const Reading& reading) {
+    const auto& [direct, indirect] = reading;
+    return fmt::format("{},{},{},{},{},{},", position[0], position[1], position[2], direction[0],
+                       direction[1], direction[2]) +
+           fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", direct[0], direct[1],
+                       direct[2], indirect[0], indirect[1], indirect[2],
+                       luminance(Rgb(direct + indirect)));
 }
 
 }  // namespace
@@ -118,20 +144,20 @@ int gather_strata(double error) {
 void run_measure(const MeasureRequest& request) {
     if (!request.output.empty()) require_writable(request.output);
     const OpenedOperator opened = open_operator(request.operator_file);
-    const std::vector<Sensor> sensors = chosen_sensors(request, opened.transport.scene);
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
-    const std::vector<Reading> measured = readings(opened, lights, sensors, request.gather);
-
-    std::string text =
-        "x,y,z,nx,ny,nz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,lux\n";
-    for (std::size_t k = 0; k < sensors.size(); ++k) {
-        const auto& [position, normal] = sensors[k];
-        const auto& [direct, indirect] = measured[k];
-        text += fmt::format("{},{},{},{},{},{},", position[0], position[1], position[2], normal[0],
-                            normal[1], normal[2]);
-        text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", direct[0],
-                            direct[1], direct[2], indirect[0], indirect[1], indirect[2],
-                            luminance(Rgb(direct + indirect)));
+    std::string text;
+    if (request.probes) {
+        const std::vector<LookingPoint> probes = read_probes_csv(*request.probes);
+        const std::vector<Reading> seen = looks(opened, lights, probes, request.gather);
+        text = "x,y,z,dx,dy,dz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,cd_m2\n";
+        for (std::size_t k = 0; k < probes.size(); ++k)
+            text += row(probes[k].position, probes[k].direction, seen[k]);
+    } else {
+        const std::vector<Sensor> sensors = chosen_sensors(request, opened.transport.scene);
+        const std::vector<Reading> measured = readings(opened, lights, sensors, request.gather);
+        text = "x,y,z,nx,ny,nz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,lux\n";
+        for (std::size_t k = 0; k < sensors.size(); ++k)
+            text += row(sensors[k].position, sensors[k].normal, measured[k]);
     }
     write_result(request.output, text);
 }

@@ -10,6 +10,7 @@ struct MeasureRequest {
     std::string operator_file;           ///< .gto
     std::optional<std::string> sensors;  ///< a file of sensors ...
     std::optional<std::string> grid;     ///< ... or the name of a sensor grid of the scene
+    std::optional<std::string> probes;   ///< ... or a file of radiance probes
     std::optional<std::string> lights;   ///< a file of lights; the scene's own if not given
     std::string output;                  ///< a CSV file; standard output if empty
     bool gather = true;  ///< a final gather at each sensor, or the smoothed basis as it is
@@ -24,6 +25,10 @@ int gather_strata(double error);
 /// Prints the illuminance at each sensor as CSV with the header
 ///     x,y,z,nx,ny,nz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,lux
 /// in the order of the sensors; normals are of unit length, light in lx.
+/// For probes it prints the radiance that is seen, in cd/m2, with the header
+///     x,y,z,dx,dy,dz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,cd_m2
+/// The direct part is what the surface that is seen emits and makes of the light of lamps and
+/// emitting quads, the indirect one what it makes of light that was reflected before.
 /// @throws InputError for files and names that cannot be used, and, without the gather, for a
 /// sensor that lies on no surface
 void run_measure(const MeasureRequest& request);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/direct_light.h"
 #include "runtime/frame.h"
+#include "runtime/outgoing/eye_radiance.h"
 #include "runtime/outgoing/gathered_surfaces.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/lighting.h"
@@ -17,6 +19,7 @@
 #include "viewer/commands/default_camera.h"
 #include "viewer/commands/level_view.h"
 #include "viewer/commands/live_pictures.h"
+#include "viewer/commands/lit_scene.h"
 #include "viewer/commands/opened_operator.h"
 #include "viewer/commands/picture_output.h"
 #include "viewer/commands/stop_signal.h"
@@ -31,14 +34,14 @@ namespace {
 /// The light at every point that a picture may show.
 class LitSurfaces {
   public:
-    LitSurfaces(const OpenedOperator& opened, std::vector<Light> lights,
+    LitSurfaces(const OpenedOperator& opened, std::vector<Light> lights, const Vec3& eye,
                 const RenderRequest& request)
         : opened_(opened),
           lights_(std::move(lights)),
           view_(request.view),
           direct_(opened.transport.scene, opened.visibility, opened.occluders),
           albedo_(mean_albedos(opened.transport.scene.materials)) {
-        if (view_ == View::direct) return;
+        if (view_ == View::direct && !has_angles(opened.transport.space)) return;
         if (request.indirect == IndirectLight::textures) {
             frame_ = std::make_unique<Frame>(
                 opened.transport, std::make_unique<ShadowProjection>(
@@ -46,22 +49,34 @@ class LitSurfaces {
             frame_->light(lights_);
             return;
         }
-        const Lighting lighting = light_scene(opened.transport, lights_, opened.quads,
-                                              opened.occluders, Propagation::solved);
-        indirect_ = request.indirect == IndirectLight::gathered
-                        ? gathered(lighting)
-                        : smooth_irradiance(opened.transport.space, lighting.indirect);
+        lit_ = std::make_unique<LitScene>(opened, lights_);
+        constexpr int strata = 16, points = 2;  // 1,024 rays a cell
+        const RadianceSpace& space = opened.transport.space;
+        const bool gathers = request.indirect == IndirectLight::gathered;
+        std::optional<FinalGather> gather;
+        if (gathers) gather.emplace(lit_->gather(strata));
+        if (view_ != View::direct)
+            indirect_ = gathers ? gathered_surfaces(space, *gather, points, heed_stop)
+                                : smooth_irradiance(space, lit_->lighting().indirect);
+        if (lit_->glossy() == nullptr) return;
+        const EyeRadiance::Look look = [&](std::size_t element, const Vec3& point,
+                                           const Vec3& direction) {
+            return gathers ? gather->from_lobe(element, point, direction)
+                           : lit_->glossy()->from_lobe(element, point, direction);
+        };
+        constexpr int finer = 2;
+        glossy_.emplace(space, eye, gathers ? finer : 0, look, heed_stop);
     }
 
     /// What the view shows of a side of a quad, in the view's unit.
-    Rgb shown(int quad, bool front, const Vec3& position) const {
+    Rgb shown(int quad, bool front, const Vec3& position, const Vec3& to_eye) const {
         heed_stop();
         const Rgb light = irradiance(quad, front, position);
         if (view_ == View::lux) return light;
         const Material& material = opened_.transport.scene.material_of(quad);
         Rgb luminance = Rgb::Zero();
         if (front || material.reflecting == Sides::both)
-            luminance += albedo_[opened_.transport.scene.material_number(quad)] / M_PI * light;
+            luminance += reflected(quad, front, position, to_eye, light);
         if (view_ != View::indirect && (front || material.emitting == Sides::both))
             luminance += material.emission;
         return luminance;
@@ -72,13 +87,20 @@ class LitSurfaces {
         if (stop_requested()) throw Interrupted("stopped on request");
     }
 
-    std::vector<SmoothSurface> gathered(const Lighting& lighting) const {
-        constexpr int strata = 16, points = 2;  // 1,024 rays a cell
-        const RadianceSpace& space = opened_.transport.space;
-        const FinalGather gather(opened_.transport, opened_.visibility,
-                                 smooth_irradiance(space, lighting.direct + lighting.indirect),
-                                 strata);
-        return gathered_surfaces(space, gather, points, heed_stop);
+    /// What a reflecting side makes of its irradiance, and, by its lobe, of the rest [cd/m2].
+    Rgb reflected(int quad, bool front, const Vec3& position, const Vec3& to_eye,
+                  const Rgb& irradiance) const {
+        const int e = opened_.transport.space.element_on(quad, front);
+        const auto element = static_cast<std::size_t>(e);
+        if (e < 0 || !glossy_ || !glossy_->shows(element))
+            return albedo_[opened_.transport.scene.material_number(quad)] / M_PI * irradiance;
+        Rgb sum = opened_.transport.scene.material_of(quad).reflectance / M_PI * irradiance;
+        const GatheredRadiance lobe = glossy_->at(
+            element, opened_.transport.space.element(element).geometry.parameters(position));
+        if (view_ != View::direct) sum += lobe.indirect;
+        if (view_ != View::indirect)
+            sum += lobe.emitted + lit_->glossy()->lobe_from_lamps(element, position, to_eye);
+        return sum;
     }
 
     /// [lx]
@@ -107,6 +129,8 @@ class LitSurfaces {
     std::vector<Rgb> albedo_;              ///< mean, by material
     std::vector<SmoothSurface> indirect_;  ///< by element, unless it is in textures:
     std::unique_ptr<Frame> frame_;
+    std::unique_ptr<LitScene> lit_;
+    std::optional<EyeRadiance> glossy_;  ///< where there are glossy surfaces
 };
 
 Camera chosen_camera(const RenderRequest& request, const OpenedOperator& opened) {
@@ -148,9 +172,10 @@ void run_render(const RenderRequest& request) {
                      request.output);
         return;
     }
-    const LitSurfaces surfaces(opened, lights, request);
-    const Shade shade = [&surfaces](int quad, bool front, const Vec3& position, const Vec3&) {
-        return surfaces.shown(quad, front, position);
+    const LitSurfaces surfaces(opened, lights, camera.position, request);
+    const Shade shade = [&surfaces](int quad, bool front, const Vec3& position,
+                                    const Vec3& to_eye) {
+        return surfaces.shown(quad, front, position, to_eye);
     };
     output.write(render(drawing, camera, size, shade), request.output);
 }

@@ -5,10 +5,10 @@
 #include <tbb/parallel_for.h>
 
 #include "runtime/frame.h"
-#include "runtime/outgoing/final_gather.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/reference/error_estimate.h"
+#include "viewer/commands/lit_scene.h"
 #include "viewer/commands/measure_command.h"
 
 namespace lightwell {
@@ -43,11 +43,10 @@ ShownLight picture_way(const OpenedOperator& opened) {
 
 ShownLight measure_way(const OpenedOperator& opened) {
     return {"measure", [&opened](const PointLight& lamp, const std::vector<SurfacePoint>& points) {
-                const Lighting lighting = lit(opened, lamp, Propagation::solved);
-                const FinalGather gather(
-                    opened.transport, opened.visibility,
-                    smooth_irradiance(opened.transport.space, lighting.direct + lighting.indirect),
-                    gather_strata(opened.transport.provenance.error_asked));
+                const std::vector<Light> lamps = {lamp};
+                const LitScene scene(opened, lamps);
+                const FinalGather gather =
+                    scene.gather(gather_strata(opened.transport.provenance.error_asked));
                 std::vector<Rgb> values(points.size());
                 tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t k) {
                     const SurfacePoint& p = points[k];

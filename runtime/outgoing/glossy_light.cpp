@@ -1,0 +1,76 @@
+#include "runtime/outgoing/glossy_light.h"
+
+#include "radiance4d/basis/direction_map.h"
+#include "radiance4d/scene/brdf.h"
+
+namespace lightwell {
+
+GlossyLight::GlossyLight(const GlobalTransport& transport, const DirectLight& direct,
+                         const std::vector<Light>& lights, const Lighting& lighting)
+    : transport_(transport),
+      direct_(direct),
+      lights_(lights),
+      has_emitters_(!direct.emitters().empty()),
+      indirect_(transport.scene, transport.space, lighting.indirect),
+      emitted_(transport.scene, transport.space,
+               propagated(transport.bounce, emission_of(transport.scene, transport.space))) {}
+
+Rgb GlossyLight::from_lamps(std::size_t element, const Vec3& point, const Vec3& direction) const {
+    return reflected_lamps(element,
+                           transport_.scene.material_of(transport_.space.element(element).quad),
+                           point, direction);
+}
+
+Rgb GlossyLight::lobe_from_lamps(std::size_t element, const Vec3& point,
+                                 const Vec3& direction) const {
+    Material lobe = transport_.scene.material_of(transport_.space.element(element).quad);
+    lobe.reflectance = Rgb::Zero();
+    return reflected_lamps(element, lobe, point, direction);
+}
+
+Rgb GlossyLight::reflected_lamps(std::size_t element, const Material& material, const Vec3& point,
+                                 const Vec3& direction) const {
+    const Element& e = transport_.space.element(element);
+    const Eigen::Matrix3d frame = local_frame(e.geometry);
+    const Vec3 towards = frame.transpose() * direction;
+    if (!(towards[2] > 0)) return Rgb::Zero();
+    Rgb sum = Rgb::Zero();
+    for (const Light& light : lights_) {
+        const Rgb irradiance = direct_.from_light(point, frame.col(2), e.quad, light);
+        if (!(irradiance > 0).any()) continue;
+        const Vec3 in = frame.transpose() * (position_of(light) - point).normalized();
+        sum += brdf(material, in, towards) * irradiance;
+    }
+    return sum;
+}
+
+Rgb GlossyLight::of(const GlossyProduct& product, std::size_t element, const Vec3& point,
+                    const Vec3& direction) const {
+    return product.radiance(element, transport_.space.element(element).geometry.parameters(point),
+                            direction);
+}
+
+Rgb GlossyLight::indirect(std::size_t element, const Vec3& point, const Vec3& direction) const {
+    return of(indirect_, element, point, direction);
+}
+
+Rgb GlossyLight::from_emitters(std::size_t element, const Vec3& point,
+                               const Vec3& direction) const {
+    return has_emitters_ ? of(emitted_, element, point, direction) : Rgb(Rgb::Zero());
+}
+
+GatheredRadiance GlossyLight::from_lobe(std::size_t element, const Vec3& point,
+                                        const Vec3& direction) const {
+    const Vec2 uv = transport_.space.element(element).geometry.parameters(point);
+    GatheredRadiance light;
+    light.indirect = indirect_.from_lobe(element, uv, direction);
+    if (has_emitters_) light.emitted = emitted_.from_lobe(element, uv, direction);
+    return light;
+}
+
+Rgb GlossyLight::radiance(std::size_t element, const Vec3& point, const Vec3& direction) const {
+    return from_lamps(element, point, direction) + indirect(element, point, direction) +
+           from_emitters(element, point, direction);
+}
+
+}  // namespace lightwell

@@ -1,0 +1,148 @@
+// How far is the indirect radiance that one sees off, in pictures?
+//
+//     radiance_accuracy FILE.gto [--eye X,Y,Z,TX,TY,TZ]... [--width N] [--height N] [--samples N]
+//     [--pictures P]
+//
+// prints one CSV row per eye point: relative L2 error of indirect radiance over the pixels, colours
+// together, against the path tracer, whose noise is taken off; gathered as `measure --probes` does
+// it, and read from the basis. Without --eye it is the scene's camera.
+// With --pictures the pictures themselves go to P-eye-gathered.png, P-eye-basis.png and
+// P-eye-traced.png.
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/operator/smooth_irradiance.h"
+#include "runtime/drawing/camera_rays.h"
+#include "solver/reference/radiance_tracer.h"
+#include "viewer/commands/lit_scene.h"
+#include "viewer/commands/measure_command.h"
+#include "viewer/images/image_file.h"
+#include "viewer/images/tone.h"
+
+namespace lightwell {
+namespace {
+
+struct Asked {
+    int width = 32, height = 24;
+    int samples = 512;
+    std::string pictures;
+};
+
+std::vector<Camera> eyes_of(const Scene& scene, const std::vector<std::vector<double>>& given) {
+    std::vector<Camera> eyes;
+    const Camera own = scene.camera.value_or(Camera{});
+    for (const std::vector<double>& e : given) {
+        Camera eye = own;
+        eye.position = Vec3(e.at(0), e.at(1), e.at(2));
+        eye.target = Vec3(e.at(3), e.at(4), e.at(5));
+        eyes.push_back(eye);
+    }
+    if (eyes.empty()) eyes.push_back(own);
+    return eyes;
+}
+
+/// Relative root mean square error with the judge's noise taken off.
+double deviation(const std::vector<Rgb>& seen, const LightSurvey& survey) {
+    double off = 0, squares = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        off += (seen[k] - survey.at[k].mean).square().sum() -
+               survey.at[k].standard_error.square().sum();
+        squares += survey.at[k].mean.square().sum();
+    }
+    return squares > 0 ? std::sqrt(std::max(0.0, off) / squares) : 0;
+}
+
+double noise(const LightSurvey& survey) {
+    double off = 0, squares = 0;
+    for (const LightEstimate& one : survey.at) {
+        off += one.standard_error.square().sum();
+        squares += one.mean.square().sum();
+    }
+    return squares > 0 ? std::sqrt(off / squares) : 0;
+}
+
+void write(const std::vector<Rgb>& seen, const Asked& asked, double exposure,
+           const std::string& name) {
+    Image image(asked.width, asked.height);
+    for (std::size_t k = 0; k < seen.size(); ++k)
+        image.pixels()[k] = seen[k].cast<float>();
+    const WriteReport report =
+        write_png(develop(image, {exposure, ToneCurve::filmic}), asked.pictures + name + ".png");
+    if (report.non_finite_pixels > 0) std::cerr << name << ": not finite\n";
+}
+
+void judge(const OpenedOperator& opened, const Camera& eye, std::size_t number,
+           const Asked& asked) {
+    const Scene& scene = opened.transport.scene;
+    const LitScene lit(opened, scene.lights);
+    const std::vector<SmoothSurface> surfaces =
+        smooth_irradiance(opened.transport.space, lit.lighting().indirect);
+    const FinalGather gather = lit.gather(gather_strata(opened.transport.provenance.error_asked));
+    const CameraRays rays(eye, asked.width, asked.height);
+    std::vector<RadianceProbe> probes;
+    for (int y = 0; y < asked.height; ++y)
+        for (int x = 0; x < asked.width; ++x)
+            probes.push_back({eye.position, rays.direction(x + 0.5, y + 0.5)});
+    std::vector<Rgb> gathered(probes.size()), read(probes.size()), traced(probes.size());
+    tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t k) {
+        const auto look = [&](const FinalGather* by) {
+            return seen_light(opened, lit, scene.lights, surfaces, by, probes[k].position,
+                              probes[k].direction)
+                .indirect;
+        };
+        gathered[k] = look(&gather);
+        read[k] = look(nullptr);
+    });
+    PathTracing how;
+    how.samples = asked.samples;
+    const LightSurvey survey =
+        RadianceTracer(scene, opened.visibility, scene.lights).indirect(probes, how);
+    for (std::size_t k = 0; k < probes.size(); ++k)
+        traced[k] = survey.at[k].mean;
+    fmt::print("{},{:.4f},{:.4f},{:.4f}\n", number, deviation(gathered, survey),
+               deviation(read, survey), noise(survey));
+    std::cout.flush();
+    if (asked.pictures.empty()) return;
+    Image image(asked.width, asked.height);
+    for (std::size_t k = 0; k < traced.size(); ++k)
+        image.pixels()[k] = traced[k].cast<float>();
+    const double exposure = automatic_exposure(image);
+    write(gathered, asked, exposure, fmt::format("-{}-gathered", number));
+    write(read, asked, exposure, fmt::format("-{}-basis", number));
+    write(traced, asked, exposure, fmt::format("-{}-traced", number));
+}
+
+}  // namespace
+}  // namespace lightwell
+
+int main(int argc, char** argv) {
+    using namespace lightwell;
+    CLI::App app{"Error of the indirect radiance in pictures"};
+    std::string file;
+    std::vector<std::string> given;
+    Asked asked;
+    app.add_option("file", file)->required();
+    app.add_option("--eye", given, "X,Y,Z,TX,TY,TZ: where it stands and where it looks");
+    app.add_option("--width", asked.width, "pixels");
+    app.add_option("--height", asked.height, "pixels");
+    app.add_option("--samples", asked.samples, "paths a pixel");
+    app.add_option("--pictures", asked.pictures, "prefix of the pictures to write");
+    CLI11_PARSE(app, argc, argv);
+    std::vector<std::vector<double>> eyes;
+    for (const std::string& text : given) {
+        eyes.emplace_back();
+        for (const std::string& number : CLI::detail::split(text, ','))
+            eyes.back().push_back(std::stod(number));
+    }
+    const OpenedOperator opened = open_operator(file);
+    std::cout << "eye,error_gathered,error_basis,noise\n";
+    std::size_t number = 0;
+    for (const Camera& eye : eyes_of(opened.transport.scene, eyes))
+        judge(opened, eye, number++, asked);
+}
