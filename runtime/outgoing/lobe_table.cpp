@@ -14,10 +14,10 @@ namespace lightwell {
 namespace {
 
 /// Cells of the grid along either side, for each cell of the incident light.
-constexpr int finer = 4;
-constexpr int fewest_cells = 16, most_cells = 64;
+constexpr int finer = 8;
+constexpr int fewest_cells = 32, most_cells = 64;
 /// Points along either side of the square at which the lobe is looked at.
-constexpr int quadrature = 96;
+constexpr int quadrature = 64;
 /// Coefficients below this share of the lobe's norm are left out.
 constexpr float negligible = 1e-3F;
 /// Cosine of the most grazing direction that is tabulated.
@@ -52,6 +52,9 @@ Vec3 kept_off_the_horizon(Vec3 direction) {
 LobeTable::LobeTable(const Lobe& lobe, int level)
     : cells_(std::clamp(finer << level, fewest_cells, most_cells)),
       nodes_(static_cast<std::size_t>((cells_ + 1) * (cells_ + 1))) {
+    constexpr int albedos = 96;  // dense at grazing angles, where it may be steep
+    for (int k = 0; k <= albedos; ++k)
+        albedo_.push_back(lobe_albedo(lobe, std::pow(k / double{albedos}, 2)));
     const HaarBasis angular = angular_basis(level);
     tbb::parallel_for(std::size_t{0}, nodes_.size(), [&](std::size_t n) {
         const auto side = static_cast<std::size_t>(cells_) + 1;
@@ -59,8 +62,7 @@ LobeTable::LobeTable(const Lobe& lobe, int level)
             {static_cast<double>(n % side) / cells_, static_cast<double>(n / side) / cells_}));
         RowMatrix coefficient = over_cells(lobe, angular.tree(), towards);
         angular.analyse(coefficient, level);
-        const double albedo = lobe_albedo(lobe, towards[2]);
-        if (coefficient(0, 0) > 0) coefficient *= albedo / coefficient(0, 0);
+        if (coefficient(0, 0) > 0) coefficient /= coefficient(0, 0);
         const auto least = static_cast<double>(negligible) * coefficient.norm();
         for (Eigen::Index f = 0; f < coefficient.rows(); ++f)
             if (f == 0 || std::abs(coefficient(f, 0)) > least) {
@@ -87,7 +89,15 @@ Rgb LobeTable::reflected(const Vec3& towards, Eigen::Ref<const AngularLight> inc
     add(i + 1, j, s * (1 - t));
     add(i, j + 1, (1 - s) * t);
     add(i + 1, j + 1, s * t);
-    return sum.cast<double>().max(0.0);
+    return albedo(towards[2]) * sum.cast<double>().max(0.0);
+}
+
+double LobeTable::albedo(double cosine) const {
+    const auto entries = static_cast<double>(albedo_.size() - 1);
+    const double place = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * entries;
+    const auto below = std::min(static_cast<std::size_t>(place), albedo_.size() - 2);
+    const double rest = place - static_cast<double>(below);
+    return (1 - rest) * albedo_[below] + rest * albedo_[below + 1];
 }
 
 }  // namespace lightwell

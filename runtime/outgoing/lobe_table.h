@@ -37,8 +37,11 @@ class LobeTable {
         std::vector<float> coefficient;
     };
 
-    int cells_;  ///< along either side of the grid; one more node
-    std::vector<Node> nodes_;
+    double albedo(double cosine) const;
+
+    int cells_;                   ///< along either side of the grid; one more node
+    std::vector<Node> nodes_;     ///< of uniform light 1 each makes 1
+    std::vector<double> albedo_;  ///< of the lobe, by the square of place / entries
 };
 
 }  // namespace lightwell

@@ -54,25 +54,36 @@ TEST(Precompute, WithoutAttemptsTheErrorIsNotEstimated) {
 }
 
 /// A glossy floor below a ceiling, as a scene file; the floor reflects 0.7 diffusely.
-std::string glossy_scene(const ScratchFolder& folder, const std::string& specular) {
+std::string glossy_scene(const ScratchFolder& folder, const std::string& specular,
+                         const std::string& exponent = "10") {
     folder.write("two.obj",
                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                  "usemtl floor\nf 1 2 3 4\nusemtl top\nf 8 7 6 5\n");
     return folder.write("scene.toml",
                         "geometry = \"two.obj\"\n[material.top]\nreflectance = 0.5\n"
-                        "[material.floor]\nreflectance = 0.7\nexponent = 10\nspecular = " +
-                            specular + "\n");
+                        "[material.floor]\nreflectance = 0.7\nexponent = " +
+                            exponent + "\nspecular = " + specular + "\n");
 }
 
-TEST(Precompute, SaysWhatItMakesOfGloss) {
+TEST(Precompute, SaysWhereItCannotFollowALobe) {
     const ScratchFolder folder;
-    const ProgramRun run = lightwell({"precompute", glossy_scene(folder, "0.2"), "-o",
-                                      folder / "g.gto", "--error", "0.3", "--attempts", "0"});
-    ASSERT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err,
-              "lightwell: warning: 'floor': glossy; light is computed as if the surface were "
-              "diffuse with the "
-              "same mean albedo, without reflections that depend on direction\n");
+    Words words = {"precompute", glossy_scene(folder, "0.2"),
+                   "-o",         folder / "g.gto",
+                   "--error",    "0.3",
+                   "--attempts", "0"};
+    const ProgramRun wide = lightwell(words);
+    ASSERT_EQ(wide.status, 0) << wide.err;
+    EXPECT_EQ(wide.err, "");
+    words[1] = glossy_scene(folder, "0.2", "5000");
+    const ProgramRun sharp = lightwell(words);
+    ASSERT_EQ(sharp.status, 0) << sharp.err;
+    EXPECT_NE(sharp.err.find("lightwell: warning: 'floor': its reflections are too sharp"),
+              std::string::npos)
+        << sharp.err;
+    EXPECT_EQ(lightwell({"measure", folder / "g.gto", "--probes",
+                         folder.write("p.csv", "0.5,0.5,0.5,0,0.6,-0.8\n"), "--no-gather"})
+                  .out.substr(0, 14),
+              "x,y,z,dx,dy,dz");
 }
 
 TEST(Precompute, SaysWhatBrightMaterialsDo) {

@@ -1,0 +1,150 @@
+// Glossy rooms through the whole offline pipeline.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "radiance4d/operator/light_projection.h"
+#include "radiance4d/operator/operator_file.h"
+#include "radiance4d/scene/brdf.h"
+#include "radiance4d/scene/occluder_tree.h"
+#include "solver/precompute.h"
+#include "solver/reference/radiance_tracer.h"
+#include "tests/unit/reference/rooms.h"
+
+namespace lightwell {
+namespace {
+
+Scene room_with_floor(const Lobe& lobe, double diffuse) {
+    std::array<Rgb, 6> rho;
+    rho.fill(Rgb(0.6, 0.5, 0.4));
+    rho[floor_z0] = Rgb::Constant(diffuse);
+    Scene scene = box_scene({3, 2, 2.5}, rho);
+    for (Material& material : scene.materials)
+        material.reflecting = Sides::front;
+    scene.materials[floor_z0].lobe = lobe;
+    return scene;
+}
+
+GlobalTransport computed(const Scene& scene) {
+    PrecomputeOptions options;
+    options.error = 0.1;
+    options.cell_size = 0.7;
+    PrecomputeReport report;
+    return precompute(scene, options, {}, report);
+}
+
+RadianceField uniform(const RadianceSpace& space) {
+    RadianceField one = RadianceField::Zero(space.functions(), 3);
+    for (const Element& element : space.elements())
+        one.row(element.first).setConstant(std::sqrt(element.area()));
+    return one;
+}
+
+class GlossyPipeline : public ::testing::TestWithParam<Lobe> {};
+
+// Where all surfaces emit 1 - a(w), radiance is 1 everywhere and in all directions (Szirmay-Kalos
+// et al. 2001).
+TEST_P(GlossyPipeline, IsAFurnace) {
+    const Scene scene = room_with_floor(GetParam(), 0.2);
+    const GlobalTransport transport = computed(scene);
+    const RadianceField one = uniform(transport.space);
+    const RadianceField direct = propagated(transport.bounce, one - reflected(transport, one));
+    const RadianceField light = direct + solved_light(transport, direct);
+    EXPECT_LT((light - one).matrix().norm() / one.matrix().norm(), 0.005);
+}
+
+// Nothing escapes: what is reflected arrives, and what is reflected is the albedo's share.
+TEST_P(GlossyPipeline, KeepsTheFlux) {
+    const Scene scene = room_with_floor(GetParam(), 0.2);
+    const GlobalTransport transport = computed(scene);
+    const OccluderTree occluders({});
+    const RadianceField direct =
+        projected_lights(transport.space, {lamp_at({2.3, 1.0, 1.8})}, {}, occluders);
+    const RadianceField outgoing = reflected(transport, direct);
+    const Rgb sent = total_flux(transport.space, outgoing);
+    const Rgb arrived = total_flux(transport.space, propagated(transport.bounce, outgoing));
+    EXPECT_LT(((arrived - sent) / sent).abs().maxCoeff(), 0.002);
+    const Rgb of_uniform =
+        total_flux(transport.space, reflected(transport, uniform(transport.space)));
+    Rgb exact = Rgb::Zero();
+    for (const Element& element : transport.space.elements())
+        exact += M_PI * element.area() * mean_albedo(scene.material_of(element.quad));
+    EXPECT_LT(((of_uniform - exact) / exact).abs().maxCoeff(), 0.002);
+}
+
+// The power method on T from a random start.
+TEST_P(GlossyPipeline, HasANormBelowTheAlbedoBound) {
+    const Scene scene = room_with_floor(GetParam(), 0.2);
+    const GlobalTransport transport = computed(scene);
+    RadianceField x(transport.space.functions(), 3);
+    for (Eigen::Index j = 0; j < x.rows(); ++j)
+        x.row(j).setConstant(std::sin(3.0 * static_cast<double>(j)));
+    double norm = 0;
+    for (int step = 0; step < 12; ++step) {
+        x /= x.matrix().norm();
+        // T* T = R P P R: R and P are symmetric.
+        x = reflected(transport, propagated(transport.bounce,
+                                            propagated(transport.bounce, reflected(transport, x))));
+        norm = std::sqrt(x.matrix().norm());
+    }
+    double bound = 0;
+    for (const Material& material : scene.materials)
+        bound = std::max(bound, albedo_peak(material).albedo);
+    EXPECT_LT(norm, bound);
+}
+
+TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
+    const Scene scene = room_with_floor(GetParam(), 0.1);
+    const GlobalTransport transport = computed(scene);
+    std::vector<Quad> quads;
+    for (const SceneQuad& q : scene.quads)
+        quads.push_back(q.quad);
+    const OccluderTree occluders(quads);
+    const PointLight lamp = lamp_at({2.3, 1.0, 1.8});
+    const RadianceField direct = projected_lights(transport.space, {lamp}, quads, occluders);
+    const RadianceField solved = solved_light(transport, direct);
+    const RadianceField stored = global_light(transport, direct) - direct;
+    // Where the floor's highlight falls, and where it does not.
+    std::vector<SurfacePoint> points;
+    std::vector<Rgb> seen, seen_stored;
+    for (std::size_t e = 0; e < transport.space.elements().size(); ++e) {
+        const Element& element = transport.space.element(e);
+        const RadianceField cells = cell_irradiance(transport.space, e, solved);
+        const RadianceField stored_cells = cell_irradiance(transport.space, e, stored);
+        const CellTree& tree = element.space.tree();
+        for (std::uint32_t m = 0; m < tree.functions(); ++m) {
+            const ParameterRect r = tree.rect({tree.levels(), m});
+            SurfacePoint point;
+            point.position = element.geometry.point(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1));
+            point.normal = element.geometry.normal();
+            point.quad = element.quad;
+            points.push_back(point);
+            seen.emplace_back(cells.row(m).transpose());
+            seen_stored.emplace_back(stored_cells.row(m).transpose());
+        }
+    }
+    PathTracing how;
+    how.samples = 512;
+    const Visibility visibility = visibility_of(scene);
+    const LightSurvey survey =
+        RadianceTracer(scene, visibility, {lamp}).indirect_irradiance(points, how);
+    const auto error_of = [&](const std::vector<Rgb>& values) {
+        double off = 0, squares = 0;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            off += (values[k] - survey.at[k].mean).square().sum() -
+                   survey.at[k].standard_error.square().sum();
+            squares += survey.at[k].mean.square().sum();
+        }
+        return std::sqrt(std::max(0.0, off) / squares);
+    };
+    EXPECT_LT(error_of(seen), 0.1);
+    EXPECT_LT(error_of(seen_stored), 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lobes, GlossyPipeline,
+                         ::testing::Values(Lobe(PhongLobe{Rgb::Constant(0.7), 5}),
+                                           Lobe(PhongLobe{Rgb::Constant(0.7), 30}),
+                                           Lobe(GgxLobe{Rgb::Constant(0.7), 0.3})));
+
+}  // namespace
+}  // namespace lightwell
