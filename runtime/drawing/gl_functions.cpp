@@ -41,7 +41,6 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLGETUNIFORMLOCATIONPROC>(get_uniform_location, loader, "glGetUniformLocation");
     load<PFNGLUNIFORM1IPROC>(uniform1i, loader, "glUniform1i");
     load<PFNGLUNIFORM1FPROC>(uniform1f, loader, "glUniform1f");
-    load<PFNGLUNIFORM2FPROC>(uniform2f, loader, "glUniform2f");
     load<PFNGLUNIFORM3FPROC>(uniform3f, loader, "glUniform3f");
     load<PFNGLUNIFORM4FPROC>(uniform4f, loader, "glUniform4f");
     load<PFNGLUNIFORMMATRIX3FVPROC>(uniform_matrix3fv, loader, "glUniformMatrix3fv");
@@ -61,7 +60,6 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLBINDTEXTUREPROC>(bind_texture, loader, "glBindTexture");
     load<PFNGLTEXPARAMETERIPROC>(tex_parameteri, loader, "glTexParameteri");
     load<PFNGLTEXIMAGE2DPROC>(tex_image_2d, loader, "glTexImage2D");
-    load<PFNGLTEXSUBIMAGE2DPROC>(tex_sub_image_2d, loader, "glTexSubImage2D");
     load<PFNGLTEXIMAGE3DPROC>(tex_image_3d, loader, "glTexImage3D");
     load<PFNGLTEXBUFFERPROC>(tex_buffer, loader, "glTexBuffer");
     load<PFNGLDELETETEXTURESPROC>(delete_textures, loader, "glDeleteTextures");

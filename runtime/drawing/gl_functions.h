@@ -39,7 +39,6 @@ struct GlFunctions {
     int (*get_uniform_location)(unsigned, const char*) = nullptr;
     void (*uniform1i)(int, int) = nullptr;
     void (*uniform1f)(int, float) = nullptr;
-    void (*uniform2f)(int, float, float) = nullptr;
     void (*uniform3f)(int, float, float, float) = nullptr;
     void (*uniform4f)(int, float, float, float, float) = nullptr;
     void (*uniform_matrix3fv)(int, int, unsigned char, const float*) = nullptr;
@@ -62,8 +61,6 @@ struct GlFunctions {
     void (*tex_parameteri)(unsigned, unsigned, int) = nullptr;
     void (*tex_image_2d)(unsigned, int, int, int, int, int, unsigned, unsigned,
                          const void*) = nullptr;
-    void (*tex_sub_image_2d)(unsigned, int, int, int, int, int, unsigned, unsigned,
-                             const void*) = nullptr;
     void (*tex_image_3d)(unsigned, int, int, int, int, int, int, unsigned, unsigned,
                          const void*) = nullptr;
     void (*tex_buffer)(unsigned, unsigned, unsigned) = nullptr;

@@ -195,7 +195,7 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
             "the whole error of the stored operator")
         ->excludes(no_gather);
     command->add_flag("--live", request.live,
-                      "draw as a window does, within a fraction of a second: what --textures "
+                      "draw as a window does, in tenths of a second: what --textures "
                       "shows, with shadows smoothed over a pixel");
     add_value(*command, "--path", "PATH.toml",
               "[[camera]] and [[light]] keyframes: draws numbered pictures along them, as --live",

@@ -32,7 +32,6 @@ class EglLibrary {
         if (!library_) throw SystemError("there is no EGL on this machine (libEGL.so.1)");
         get_proc_address = find<GlFunction (*)(const char*)>("eglGetProcAddress");
         initialize = find<unsigned (*)(Handle, int*, int*)>("eglInitialize");
-        terminate = find<unsigned (*)(Handle)>("eglTerminate");
         bind_api = find<unsigned (*)(unsigned)>("eglBindAPI");
         choose_config =
             find<unsigned (*)(Handle, const int*, Handle*, int, int*)>("eglChooseConfig");
@@ -52,7 +51,6 @@ class EglLibrary {
 
     GlFunction (*get_proc_address)(const char*) = nullptr;
     unsigned (*initialize)(Handle, int*, int*) = nullptr;
-    unsigned (*terminate)(Handle) = nullptr;
     unsigned (*bind_api)(unsigned) = nullptr;
     unsigned (*choose_config)(Handle, const int*, Handle*, int, int*) = nullptr;
     Handle (*create_context)(Handle, Handle, Handle, const int*) = nullptr;
@@ -86,16 +84,14 @@ class EglContext : public GlContext {
         if (egl_.bind_api(opengl_api) &&
             egl_.choose_config(display_, wishes.data(), &config, 1, &found) && found > 0)
             context_ = egl_.create_context(display_, config, nullptr, attributes.data());
-        if (!context_) {
-            egl_.terminate(display_);
+        if (!context_)
             throw SystemError(fmt::format("EGL has no OpenGL {}.{} core context to draw with",
                                           version.major, version.minor));
-        }
     }
+    // The display is one for the whole process, and other contexts may be using it: it stays.
     ~EglContext() override {
         egl_.make_current(display_, nullptr, nullptr, nullptr);
         egl_.destroy_context(display_, context_);
-        egl_.terminate(display_);
     }
 
     void make_current() override {
