@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "tests/bench/chart.h"
+#include "viewer/charts/chart.h"
 
 namespace lightwell {
 

@@ -14,6 +14,7 @@
 #include "radiance4d/failure.h"
 #include "solver/reading/input_file.h"
 #include "viewer/commands/arguments.h"
+#include "viewer/commands/chart_command.h"
 #include "viewer/commands/exit_status.h"
 #include "viewer/commands/info_command.h"
 #include "viewer/commands/measure_command.h"
@@ -40,6 +41,7 @@ struct Requests {
     RenderRequest render;
     VerifyRequest verify;
     bool stability = false;  ///< verify the program rather than a file
+    ChartRequest chart;
     std::optional<int> threads;
 };
 
@@ -257,6 +259,21 @@ CLI::App* add_view(CLI::App& app) {
     return command;
 }
 
+CLI::App* add_chart(CLI::App& app, Requests& requests) {
+    ChartRequest& request = requests.chart;
+    CLI::App* command =
+        app.add_subcommand("chart", "measure and draw accuracy against cost in a scene");
+    command->add_option("SCENE", request.scene, "as for precompute")->type_name("")->required();
+    command->add_option("-o,--output", request.output, "folder for charts, tables and a page")
+        ->type_name("DIR")
+        ->required();
+    command->add_flag("--quick", request.quick, "fewer settings and lamps: a minute or two");
+    command->add_flag_callback(
+        "--no-progress", [&request] { request.progress = false; }, "show no progress");
+    add_threads(*command, requests);
+    return command;
+}
+
 /// Refuses a first word that is no command, with a better message than CLI11 has.
 void require_known_command(int argc, const char* const* argv, const CLI::App& app) {
     std::vector<std::string> names;
@@ -289,7 +306,8 @@ void run(int argc, const char* const* argv) {
         {add_info(app, requests), [&requests] { run_info(requests.info); }},
         {add_measure(app, requests), [&requests] { run_measure(requests.measure); }},
         {add_render(app, requests), [&requests] { run_render(requests.render); }},
-        {add_verify(app, requests), [&requests] { run_verification(requests); }}};
+        {add_verify(app, requests), [&requests] { run_verification(requests); }},
+        {add_chart(app, requests), [&requests] { run_chart(requests.chart); }}};
     const CLI::App* view = add_view(app);
     require_known_command(argc, argv, app);
     try {

@@ -1,4 +1,4 @@
-#include "tests/bench/chart.h"
+#include "viewer/charts/chart.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "tests/bench/chart.h"
+#include "viewer/charts/chart.h"
 
 #include <algorithm>
 #include <array>
@@ -7,29 +7,21 @@
 
 #include <fmt/format.h>
 
+#include "viewer/charts/chart_page.h"
+
 namespace lightwell {
 
 namespace {
 
-constexpr double width = 720, height = 480;
-constexpr double left = 90, right = 200, top = 50, bottom = 60;
+constexpr double width = 800, height = 480;
+constexpr double left = 90, right = 280, top = 50, bottom = 60;
 
 /// Told apart without red against green (Okabe and Ito 2008).
-constexpr std::array<const char*, 6> colours = {"#0072b2", "#d55e00", "#009e73",
-                                                "#cc79a7", "#e69f00", "#56b4e9"};
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char letter : text) {
-        if (letter == '&')
-            result += "&amp;";
-        else if (letter == '<')
-            result += "&lt;";
-        else
-            result += letter;
-    }
-    return result;
-}
+constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                "#e69f00", "#56b4e9", "#000000"};
+/// And without colour.
+constexpr std::array<const char*, 7> dashes = {"none", "8 3",  "2 3", "8 3 2 3",
+                                               "4 2",  "12 4", "1 2"};
 
 /// A logarithmic axis from a pixel to another.
 class Axis {
@@ -43,6 +35,10 @@ class Axis {
     }
     double at(double value) const {
         return from_ + (std::log10(value) - low_) / (high_ - low_) * (to_ - from_);
+    }
+    /// The same, but on the axis.
+    double clamped(double value) const {
+        return at(std::clamp(value, std::pow(10, low_), std::pow(10, high_)));
     }
     /// Round values on the axis: 1, 2 and 5 times powers of ten, or only powers over long ranges.
     std::vector<double> ticks() const {
@@ -73,16 +69,43 @@ std::string line_between(double x0, double y0, double x1, double y1) {
         x1, y1);
 }
 
-std::string drawn(const Series& series, const Axis& x, const Axis& y, const std::string& colour) {
+std::string drawn(const Series& series, const Axis& x, const Axis& y, std::size_t number) {
+    const std::string colour = colours[number % colours.size()];
     std::string path, dots;
-    for (const auto& [across, up] : series.points) {
+    for (std::size_t k = 0; k < series.points.size(); ++k) {
+        const auto& [across, up] = series.points[k];
         path += fmt::format("{:.1f},{:.1f} ", x.at(across), y.at(up));
+        if (series.is_limit) continue;
+        if (k < series.spans.size())
+            dots += fmt::format(
+                "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\" stroke-opacity=\"0.5\"/>\n",
+                x.at(across), y.clamped(series.spans[k].first), y.clamped(series.spans[k].second),
+                colour);
         dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n",
                             x.at(across), y.at(up), colour);
     }
-    return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
-                       path, colour) +
+    return fmt::format(
+               "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+               "stroke-dasharray=\"{}\"/>\n",
+               path, colour, series.is_limit ? "1.2" : "2", dashes[number % dashes.size()]) +
            dots;
+}
+
+std::string legend_entry(const std::string& name, std::size_t number) {
+    const double y = top + 20 * static_cast<double>(number + 1);
+    const std::string colour = colours[number % colours.size()];
+    return fmt::format(
+               "<path d=\"M{:.1f} {:.1f}h26\" stroke=\"{}\" stroke-width=\"2\" "
+               "stroke-dasharray=\"{}\"/>\n",
+               width - right + 12, y - 4, colour, dashes[number % dashes.size()]) +
+           text_at(width - right + 44, y, "start", name, " fill=\"" + colour + "\"");
+}
+
+std::string ring_at(double x, double y) {
+    return fmt::format(
+        "<ellipse cx=\"{:.1f}\" cy=\"{:.1f}\" rx=\"8\" ry=\"8\" fill=\"none\" "
+        "stroke=\"black\" stroke-width=\"1.5\"/>\n",
+        x, y);
 }
 
 }  // namespace
@@ -118,10 +141,15 @@ std::string svg_of(const Chart& chart) {
     svg += text_at(20, middle, "middle", chart.y_label,
                    fmt::format(" transform=\"rotate(-90 20 {:.1f})\"", middle));
     for (std::size_t k = 0; k < chart.series.size(); ++k) {
-        const std::string colour = colours[k % colours.size()];
-        svg += drawn(chart.series[k], x, y, colour);
-        svg += text_at(width - right + 16, top + 20 * static_cast<double>(k + 1), "start",
-                       chart.series[k].name, " fill=\"" + colour + "\"");
+        svg += drawn(chart.series[k], x, y, k);
+        svg += legend_entry(chart.series[k].name, k);
+    }
+    for (const auto& [across, up] : chart.ringed)
+        svg += ring_at(x.at(across), y.at(up));
+    if (!chart.ringed.empty()) {
+        const double below = top + 20 * static_cast<double>(chart.series.size() + 1);
+        svg += ring_at(width - right + 25, below - 4);
+        svg += text_at(width - right + 44, below, "start", chart.ring_meaning);
     }
     return svg + "</svg>\n";
 }

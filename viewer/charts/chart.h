@@ -10,6 +10,10 @@ namespace lightwell {
 struct Series {
     std::string name;                               ///< without commas
     std::vector<std::pair<double, double>> points;  ///< x and y, all > 0, in the order to be joined
+    /// By point: ends of the interval in y that it is known to; or empty. Those below the axis end
+    /// there.
+    std::vector<std::pair<double, double>> spans = {};
+    bool is_limit = false;  ///< a bound that nothing can pass: drawn dashed and without points
 };
 
 /// Numbers drawn one against the other, both axes logarithmic.
@@ -18,6 +22,9 @@ struct Chart {
     std::string x_label;
     std::string y_label;
     std::vector<Series> series;  ///< at least one point among them
+    /// Points to be ringed, and what that means; or empty.
+    std::vector<std::pair<double, double>> ringed = {};
+    std::string ring_meaning = {};
 };
 
 /// The chart as an SVG picture.

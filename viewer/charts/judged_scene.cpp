@@ -1,0 +1,64 @@
+#include "viewer/charts/judged_scene.h"
+
+#include <algorithm>
+
+#include "radiance4d/failure.h"
+#include "radiance4d/scene/brdf.h"
+#include "solver/reference/deviation.h"
+#include "solver/reference/random_lights.h"
+
+namespace lightwell {
+
+namespace {
+
+std::vector<Quad> quads_of(const Scene& scene) {
+    std::vector<Quad> quads;
+    for (const SceneQuad& one : scene.quads)
+        quads.push_back(one.quad);
+    return quads;
+}
+
+Scene diffuse_and_dark(const Scene& of) {
+    Scene scene = without_emission(of);
+    std::transform(scene.materials.begin(), scene.materials.end(), scene.materials.begin(),
+                   diffuse_of_equal_albedo);
+    return scene;
+}
+
+}  // namespace
+
+ChartedScene::ChartedScene(const Scene& of)
+    : scene(diffuse_and_dark(of)), quads(quads_of(scene)), visibility(quads), occluders(quads) {}
+
+JudgedScene::JudgedScene(const ChartedScene& scene, const GlobalTransport& transport, int lamps,
+                         int points, const Progress& progress)
+    : scene_(scene) {
+    constexpr std::uint64_t seed = 1848;
+    const std::vector<Vec3> positions =
+        positions_in_rooms(scene.scene, scene.visibility, lamps, seed);
+    if (positions.empty())
+        throw InputError(scene.scene.geometry_file + ": no room for a lamp, so nothing to chart");
+    EstimateOptions judge;
+    judge.points = points;
+    judge.noise = 0.02;
+    judge.seed = seed;
+    judged_ = judged_lights(transport, scene.quads, scene.visibility, scene.occluders, positions,
+                            judge, progress);
+}
+
+Interval JudgedScene::error_of(const GlobalTransport& transport, Propagation propagation) const {
+    std::vector<WeighedValue> squares;
+    for (const JudgedLight& one : judged_) {
+        const Lighting lighting =
+            light_scene(transport, {one.light}, scene_.quads, scene_.occluders, propagation);
+        const std::vector<Rgb> shown =
+            shown_at(one.points, transport.space,
+                     smooth_irradiance(transport.space, lighting.indirect), scene_.quads);
+        const Deviation deviation = deviation_from(one.truth, shown, one.weight);
+        if (deviation.reference_square > 0)
+            squares.push_back({deviation.square / deviation.reference_square});
+    }
+    return squares.size() < 2 ? Interval{} : rms_interval(squares);
+}
+
+}  // namespace lightwell
