@@ -1,5 +1,9 @@
 #include "viewer/commands/precompute_report.h"
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +19,29 @@ std::array<std::uint64_t, 3> coefficients_per_channel(const GlobalTransport& tra
         count[c] =
             transport.indirect[static_cast<std::size_t>(transport.channel[c])].coefficients();
     return count;
+}
+
+/// Coefficients of H between diffuse and glossy sides, all channels together: by sender, receiver.
+nlohmann::ordered_json coefficients_by_transfer(const GlobalTransport& transport) {
+    std::vector<bool> glossy(transport.space.functions(), false);
+    for (const Element& element : transport.space.elements())
+        if (element.angle.levels() > 0)
+            std::fill_n(glossy.begin() + element.first, element.functions(), true);
+    std::array<std::uint64_t, 4> count{};
+    for (const TransportOperator& channel : transport.indirect)
+        for (std::uint32_t column = 0; column < channel.size; ++column)
+            for (std::uint64_t k = channel.column_start[column];
+                 k < channel.column_start[column + 1]; ++k)
+                ++count[(glossy[column] ? 2U : 0U) + (glossy[channel.row[k]] ? 1U : 0U)];
+    nlohmann::ordered_json json;
+    const std::array<const char*, 4> kinds = {"diffuse_to_diffuse", "diffuse_to_glossy",
+                                              "glossy_to_diffuse", "glossy_to_glossy"};
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        json[kinds[kind]]["coefficients"] = count[kind];
+        // A float and a row number.
+        json[kinds[kind]]["bytes"] = 8 * count[kind];
+    }
+    return json;
 }
 
 std::string counts_of_channels(const std::array<std::uint64_t, 3>& count) {
@@ -39,6 +66,8 @@ std::string json_report(const PrecomputeOutcome& outcome) {
     json["links_judged"] = outcome.report.links_judged;
     json["dto_coefficients"] = outcome.transport.bounce.coefficients();
     json["gto_coefficients"] = coefficients_per_channel(outcome.transport);
+    if (has_angles(outcome.transport.space))
+        json["gto_by_transfer"] = coefficients_by_transfer(outcome.transport);
     json["bytes"] = outcome.bytes;
     json["bounces"] = provenance.bounces;
     json["energy_dropped"] = provenance.energy_dropped;

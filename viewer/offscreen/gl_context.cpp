@@ -14,8 +14,4 @@ std::string GlContext::description() const {
     return fmt::format("OpenGL {}, {}", text(GL_VERSION), text(GL_RENDERER));
 }
 
-std::unique_ptr<GlContext> make_context(OffscreenGl kind) {
-    return kind == OffscreenGl::egl ? make_egl_context() : make_offscreen_context();
-}
-
 }  // namespace lightwell

@@ -6,7 +6,7 @@ namespace lightwell {
 /// picture changes, fewer pixels; at rest all of them.
 class DrawingPace {
   public:
-    /// Pixels of the window that one drawn pixel covers along either side, 1 to 4.
+    /// Pixels a side that share one sample (FrameView::coarseness), 1 to 4.
     /// @param changes  whether the picture differs from the last one
     /// @param now      on a clock that only goes forwards [s]
     int coarseness(bool changes, double now);

@@ -102,14 +102,9 @@ bool LitScene::light(const std::vector<Light>& lights, const UpdateOptions& opti
     return true;
 }
 
-void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height,
-                    int coarseness) {
+void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height) {
     double since = steady_seconds();
-    canvas_.draw(width, height, coarseness, [&](int columns, int rows) {
-        FrameView drawn = view;
-        if (coarseness > 1) drawn.samples = 1;
-        renderer_.draw(camera, drawn, columns, rows);
-    });
+    canvas_.draw(width, height, [&] { renderer_.draw(camera, view, width, height); });
     finish_();
     times_.drawing = lap(since);
 }

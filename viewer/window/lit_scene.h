@@ -30,9 +30,8 @@ class LitScene {
     /// Whether light() with the same lights would change nothing.
     bool is_at_rest() const { return report_.update.pending == 0; }
 
-    /// Draws a picture and keeps it, with a pixel for each coarseness x coarseness; returns when it
-    /// is complete.
-    void draw(const Camera& camera, const FrameView& view, int width, int height, int coarseness);
+    /// Draws a picture and keeps it; returns when it is complete.
+    void draw(const Camera& camera, const FrameView& view, int width, int height);
     /// Puts the picture kept over the framebuffer that is bound, from its lower left corner on.
     void show() { canvas_.show(); }
     LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height) {

@@ -11,23 +11,19 @@ PictureCanvas::PictureCanvas(const GlLoader& loader)
     if (!blit_) throw SystemError("OpenGL has no function glBlitFramebuffer");
 }
 
-void PictureCanvas::draw(int width, int height, int coarseness,
-                         const std::function<void(int, int)>& picture) {
+void PictureCanvas::draw(int width, int height, const std::function<void()>& picture) {
     int target = 0;
     gl_.get_integerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    const int columns = (width + coarseness - 1) / coarseness;
-    const int rows = (height + coarseness - 1) / coarseness;
-    if (!images_ || images_->width != columns || images_->height != rows) {
+    if (!images_ || images_->width != width || images_->height != height) {
         images_.reset();
-        images_.emplace(Images{columns, rows, 1, make_renderbuffer(gl_, GL_RGBA8, columns, rows),
+        images_.emplace(Images{width, height, make_renderbuffer(gl_, GL_RGBA8, width, height),
                                make_framebuffer(gl_)});
         gl_.bind_framebuffer(GL_FRAMEBUFFER, images_->framebuffer.name());
         gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                      images_->colour.name());
     }
-    images_->coarseness = coarseness;
     gl_.bind_framebuffer(GL_FRAMEBUFFER, images_->framebuffer.name());
-    picture(columns, rows);
+    picture();
     gl_.bind_framebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(target));
     check_gl(gl_, "drawing a picture to keep");
 }
@@ -37,8 +33,8 @@ void PictureCanvas::show() {
     int target = 0;
     gl_.get_integerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
     gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, images_->framebuffer.name());
-    blit_(0, 0, images_->width, images_->height, 0, 0, images_->width * images_->coarseness,
-          images_->height * images_->coarseness, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    blit_(0, 0, images_->width, images_->height, 0, 0, images_->width, images_->height,
+          GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl_.bind_framebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(target));
     check_gl(gl_, "showing a picture");
 }

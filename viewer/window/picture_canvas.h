@@ -8,25 +8,23 @@
 
 namespace lightwell {
 
-/// A picture that is kept, perhaps of fewer pixels than it is shown with: so that what lies over it
-/// can change without it being drawn again.
+/// A picture that is kept, so that what lies over it can change without it being drawn again.
 class PictureCanvas {
   public:
     /// The context that the loader belongs to must be current here, in all methods, and at the end.
     /// @throws SystemError if OpenGL lacks a function
     explicit PictureCanvas(const GlLoader& loader);
 
-    /// Lets `picture` draw width x height pixels, divided by `coarseness` and rounded up, into the
-    /// framebuffer that is bound then. Leaves the framebuffer that it found.
-    void draw(int width, int height, int coarseness,
-              const std::function<void(int width, int height)>& picture);
-    /// Puts what was drawn over the framebuffer that is bound, from its lower left corner on,
-    /// enlarged as it was made coarse. Nothing where nothing was drawn.
+    /// Lets `picture` draw width x height pixels into the framebuffer that is bound then. Leaves
+    /// the framebuffer that it found.
+    void draw(int width, int height, const std::function<void()>& picture);
+    /// Puts what was drawn over the framebuffer that is bound, from its lower left corner on.
+    /// Nothing where nothing was drawn.
     void show();
 
   private:
     struct Images {
-        int width, height, coarseness;
+        int width, height;
         GlObject colour, framebuffer;
     };
 

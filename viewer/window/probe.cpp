@@ -19,8 +19,7 @@ class Bounces {
   public:
     Bounces(const OpenedOperator& opened, const ProbedPoint& point)
         : transport_(opened.transport),
-          element_(transport_.space.element_on(point.quad, point.front)),
-          reflectance_(reflectance_of(transport_.scene, transport_.space)) {
+          element_(transport_.space.element_on(point.quad, point.front)) {
         if (element_ >= 0)
             uv_ = transport_.space.element(static_cast<std::size_t>(element_))
                       .geometry.parameters(point.position);
@@ -34,7 +33,7 @@ class Bounces {
         if (element_ < 0) return bounces;
         const double all = total_flux(transport_.space, light).sum();
         while (bounces.size() < most && !stop_requested()) {
-            light = propagated(transport_.bounce, reflectance_ * light);
+            light = propagated(transport_.bounce, reflected(transport_, light));
             bounces.push_back(here(light));
             if (!(total_flux(transport_.space, light).sum() > negligible * all)) break;
         }
@@ -50,7 +49,6 @@ class Bounces {
 
     const GlobalTransport& transport_;
     int element_;
-    RadianceField reflectance_;
     Vec2 uv_ = Vec2::Zero();
 };
 

@@ -46,12 +46,18 @@ double sum(const StageTimes& times) {
 }  // namespace
 
 void show_times(const PanelSubject& subject) {
-    const std::vector<StageTimes> frames = subject.history.frames();
-    double most = 1e-3;
+    std::vector<StageTimes> frames = subject.history.frames();
+    if (!subject.visit.charts_drawing)
+        for (StageTimes& times : frames)
+            times.drawing = times.upload = 0;
+    double most = 1e-4;
     for (const StageTimes& times : frames)
         most = std::max(most, sum(times));
     draw_piles(frames, most);
-    ImGui::TextDisabled("top: %.1f ms; medians of the last frames:", 1e3 * most);
+    ImGui::TextDisabled("top: %.3g ms", 1e3 * most);
+    ImGui::SameLine();
+    ImGui::Checkbox("with upload and drawing", &subject.visit.charts_drawing);
+    ImGui::TextDisabled("medians of the last frames:");
     for (std::size_t stage = 0; stage < StageTimes::stages; ++stage) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float side = ImGui::GetFontSize();

@@ -47,7 +47,8 @@ struct Visit {
     bool shows_panel = true;
     bool shows_handles = true;
     bool shows_help = false;
-    bool looks_freely = false;  ///< the cursor is captured and turns the view
+    bool charts_drawing = true;  ///< the chart of frame times holds the drawing, too
+    bool looks_freely = false;   ///< the cursor is captured and turns the view
 
     std::string lights_file;
     std::string picture_stem;

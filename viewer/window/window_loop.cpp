@@ -227,7 +227,10 @@ void WindowLoop::draw_picture() {
     // What is replayed shall look the same on every machine.
     const int coarseness = replay_ ? 1 : pace_.coarseness(changes, steady_seconds());
     if (changes || (was_coarse && coarseness == 1)) {
-        scene_->draw(wanted.camera, wanted.view, wanted.width, wanted.height, coarseness);
+        FrameView drawn = wanted.view;
+        drawn.coarseness = coarseness;
+        if (coarseness > 1) drawn.samples = 1;
+        scene_->draw(wanted.camera, drawn, wanted.width, wanted.height);
         pace_.took(scene_->times().drawing);
         history_.add(scene_->times());
     }

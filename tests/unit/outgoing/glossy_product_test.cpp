@@ -47,7 +47,8 @@ TEST_P(GlossySquare, ReflectsUniformLightByItsAlbedo) {
 
 TEST_P(GlossySquare, AgreesWithThePlainProduct) {
     RadianceField light = RadianceField::Zero(space.functions(), 3);
-    light.row(0).setConstant(4);
+    // Bright enough to be nowhere negative: the product cuts that off, the plain one does not.
+    light.row(0).setConstant(16);
     for (Eigen::Index j = 1; j < light.rows(); ++j)
         light.row(j).setConstant(std::sin(7.0 * static_cast<double>(j)) /
                                  (1 + 0.02 * static_cast<double>(j)));
@@ -63,7 +64,7 @@ TEST_P(GlossySquare, AgreesWithThePlainProduct) {
             off += (product.radiance(0, centre, direction) - exact).square().sum();
             squares += exact.square().sum();
         }
-    EXPECT_LT(std::sqrt(off / squares), 0.02);
+    EXPECT_LT(std::sqrt(off / squares), 0.002);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lobes, GlossySquare,

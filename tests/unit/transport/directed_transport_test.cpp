@@ -22,7 +22,7 @@ namespace {
 /// A closed box whose sides have cells in space and in direction, with all links between them.
 class DirectedBox : public ::testing::Test {
   protected:
-    static constexpr int space_levels = 2, angle_levels = 2;
+    static constexpr int space_levels = 2, angle_levels = 2, rays = 64;
 
     void SetUp() override { build(angle_levels); }
 
@@ -38,8 +38,9 @@ class DirectedBox : public ::testing::Test {
         const GeometricOracle oracle(options, quads, visibility, space.area());
         OracleCost cost;
         pairs = refine_links(elements, quads, OccluderTree(quads), oracle, {}, cost);
-        directions = directed_links(elements, pairs, visibility, {}, {}, cost);
-        EXPECT_EQ(cost.rays, angles == 0 ? 0 : std::uint64_t{64} * space.functions());
+        directions =
+            directed_links(elements, pairs, visibility, DirectedLinkOptions{rays}, {}, cost);
+        EXPECT_EQ(cost.rays, angles == 0 ? 0 : std::uint64_t{rays} * space.functions());
     }
 
     SymmetricOperator propagation() {
@@ -132,7 +133,8 @@ TEST_F(DirectedBox, StartsFromWhatIsOpen) {
     elements[4].set_space(elements[4].space.tree(), masks);
     OracleCost cost;
     double sum = 0;
-    for (const DirectedPair& pair : directed_links(elements, pairs, visibility, {}, {}, cost))
+    for (const DirectedPair& pair :
+         directed_links(elements, pairs, visibility, DirectedLinkOptions{rays}, {}, cost))
         for (const DirectedLink& link : pair.links)
             if (pair.sender == 4 && link.sender == elements[4].space.tree().position({2, 3}))
                 sum += link.exchange;
