@@ -2,119 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "radiance4d/scene/brdf.h"
+#include "solver/diffuse_operator.h"
 #include "solver/glossy_precompute.h"
 #include "solver/ground.h"
 #include "solver/reference/error_estimate.h"
-#include "solver/series/calibrated_truncation.h"
-#include "solver/series/light_ensemble.h"
 #include "solver/settings.h"
 #include "solver/stage_clock.h"
-#include "solver/transport/direct_transport.h"
-#include "solver/transport/elements.h"
-#include "solver/transport/open_masks.h"
-#include "solver/transport/refiner.h"
 
 namespace lightwell {
 
 namespace {
-
-/// Removes the elements that no link touches: they see nothing after all.
-void drop_unlinked(std::vector<Element>& elements, std::vector<bool>& closed,
-                   std::vector<PairLinks>& pairs, std::uint64_t& blind) {
-    std::vector<bool> is_linked(elements.size(), false);
-    for (const PairLinks& pair : pairs)
-        is_linked[pair.receiver] = is_linked[pair.sender] = true;
-    std::vector<std::uint32_t> number(elements.size());
-    std::vector<Element> linked;
-    std::vector<bool> linked_closed;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        number[e] = static_cast<std::uint32_t>(linked.size());
-        if (!is_linked[e]) continue;
-        linked.push_back(std::move(elements[e]));
-        linked_closed.push_back(closed[e]);
-    }
-    blind += elements.size() - linked.size();
-    elements = std::move(linked);
-    closed = std::move(linked_closed);
-    for (PairLinks& pair : pairs) {
-        pair.receiver = number[pair.receiver];
-        pair.sender = number[pair.sender];
-    }
-}
-
-/// M between the scaling functions of whole elements, numbered by element.
-SymmetricOperator mean_bounce(const std::vector<Element>& elements,
-                              const std::vector<PairLinks>& pairs) {
-    const auto n = static_cast<Eigen::Index>(elements.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const PairLinks& pair : pairs) {
-        double exchange = 0;
-        for (const LinkValue& link : pair.links)
-            exchange += link.exchange;
-        entries.emplace_back(
-            pair.receiver, pair.sender,
-            exchange / std::sqrt(elements[pair.receiver].area() * elements[pair.sender].area()));
-    }
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return {to_operator(matrix)};
-}
-
-/// The values that belong to the scaling functions of whole elements.
-Eigen::ArrayXd of_means(const RadianceSpace& space, const Eigen::ArrayXd& by_function) {
-    Eigen::ArrayXd means(static_cast<Eigen::Index>(space.elements().size()));
-    for (std::size_t e = 0; e < space.elements().size(); ++e)
-        means[static_cast<Eigen::Index>(e)] = by_function[space.element(e).first];
-    return means;
-}
-
-/// Memory [bytes] that a scene of so many cells takes, as measured: links and coefficients before
-/// truncation, and without truncation a dense operator with the products that lead to it.
-double memory_for(double cells, double truncation) {
-    constexpr double bytes_a_cell = 9000, bytes_a_pair_of_cells = 120;
-    return bytes_a_cell * cells + (truncation == 0 ? bytes_a_pair_of_cells * cells * cells : 0);
-}
-
-std::string memory_text(double bytes) {
-    const double mebibytes = bytes / 1048576;
-    return mebibytes < 1024 ? fmt::format("{:.0f} MiB", mebibytes)
-                            : fmt::format("{:.1f} GiB", mebibytes / 1024);
-}
-
-double cells_of(const std::vector<Element>& elements) {
-    double cells = 0;
-    for (const Element& element : elements)
-        cells += element.functions();
-    return cells;
-}
-
-void require_memory(const std::vector<Element>& elements, double truncation,
-                    std::uint64_t max_memory) {
-    const double cells = cells_of(elements);
-    const double needed = memory_for(cells, truncation);
-    const auto allowed = static_cast<double>(max_memory);
-    if (needed <= allowed) return;
-    const bool by_truncation = memory_for(cells, 1) <= allowed;
-    throw InputError(fmt::format(
-        "the scene has {:.0f} cells at this error, which {}take about {}; allowed are {} "
-        "(--max-memory). {}, or allow more.",
-        cells, by_truncation ? "with --truncation 0 " : "", memory_text(needed),
-        memory_text(allowed),
-        by_truncation ? "Truncate the operator" : "Ask for a larger --error"));
-}
-
-/// The elements refined as far as the settings allow.
-std::vector<Element> with_cells(std::vector<Element> elements, const Settings& settings) {
-    constexpr int most_levels = 9;
-    set_cells(elements, settings.cell_size, most_levels);
-    return elements;
-}
 
 /// Surface points a light to judge at: fewer where the albedo makes the judge's paths long.
 int judged_points(const Scene& scene) {
@@ -122,17 +23,6 @@ int judged_points(const Scene& scene) {
     for (const Material& material : scene.materials)
         albedo = std::max(albedo, material.reflectance.maxCoeff());
     return std::clamp(static_cast<int>(1000 * (1 - albedo)), 24, 200);
-}
-
-/// Direct light of the trial lights.
-TrialLights projected_trials(const RadianceSpace& space, const Ground& ground,
-                             const Progress& progress) {
-    std::vector<Eigen::ArrayXd> fields;
-    for (const Vec3& position : ground.tried) {
-        progress.check();
-        fields.push_back(white_light(space, position, ground.quads, ground.occluders));
-    }
-    return trial_lights(fields);
 }
 
 /// What any operator of the scene should come to for lights that it is not made for.
@@ -145,66 +35,124 @@ std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& op
                          ground.unseen, asked, progress);
 }
 
-/// 2. to 5.: the operators for given settings.
-GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
-                      const Settings& settings, const Progress& progress, OracleCost& cost,
-                      StageClock& clock, PrecomputeReport& report) {
-    std::vector<Element> elements = with_cells(ground.elements, settings);
-    report.blind_sides = ground.blind_sides;
-    require_memory(elements, settings.truncation, options.max_memory);
-    set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
-    clock.lap("elements");
+/// What the settings are tightened by: the judge looks at few lights and points, so its verdict on
+/// one light in ten is granted some noise.
+double missed_by(const ErrorEstimate& estimate, double error) {
+    return std::max(estimate.rms() / (0.9 * error), estimate.ninth_of_ten() / (1.15 * error));
+}
 
-    // 2. Links, as far as the oracle refines them.
-    double area = 0;
-    for (const Element& element : elements)
-        area += element.area();
-    const std::unique_ptr<Oracle> oracle =
-        make_oracle(options, settings, ground.quads, ground.visibility, area);
-    OracleCost links_cost;
-    std::vector<PairLinks> pairs =
-        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, links_cost);
-    cost.rays += links_cost.rays;
-    report.links_judged += links_cost.links_judged;
-    report.link_rays += links_cost.rays;
-    clock.lap("links");
+/// Operators of one scene, each tighter than the last, and the verdict on the last.
+class Attempts {
+  public:
+    Attempts(const Ground& ground, const PrecomputeOptions& options, const Progress& progress,
+             OracleCost& cost, StageClock& clock, PrecomputeReport& report)
+        : ground_(ground),
+          options_(options),
+          progress_(progress),
+          cost_(cost),
+          clock_(clock),
+          report_(report) {}
 
-    // 3. Energy: what sampled links lack in closed surroundings.
-    std::vector<bool> closed = ground.closed;
-    progress.say("closure", 0);
-    report.closure = close_links(elements, closed, {}, pairs, progress);
-    drop_unlinked(elements, closed, pairs, report.blind_sides);
-    clock.lap("closure");
+    /// Builds one, judges it if any are judged, and says by how much it missed its error.
+    double build_and_judge(const Settings& settings, const Progress& told) {
+        GlobalTransport built =
+            diffuse_operator(ground_, options_, settings, told, cost_, clock_, report_);
+        last_ = std::move(built);
+        estimate_ = {};
+        note(settings);
+        if (options_.most_attempts == 0) return 0;
 
-    // 4. The direct transport operator in wavelets, truncated for the lights that can be.
-    GlobalTransport transport;
-    transport.scene = ground.scene;
-    transport.space = RadianceSpace(std::move(elements));
-    for (const PairLinks& pair : pairs)
-        transport.provenance.links += pair.links.size();
-    const SymmetricOperator means = mean_bounce(transport.space.elements(), pairs);
-    std::vector<Coefficient> coefficients =
-        direct_transport(transport.space, std::move(pairs), progress);
-    report.coefficients_before = coefficients.size();
-    clock.lap("operator");
-    const Eigen::ArrayXd albedo = reflectance_of(ground.scene, transport.space).rowwise().mean();
-    const LightEnsemble ensemble =
-        light_ensemble(transport.space, ground.quads, ground.occluders, ground.expected, means,
-                       of_means(transport.space, albedo), progress);
-    const TrialLights tried = projected_trials(transport.space, ground, progress);
-    clock.lap("ensemble");
-    const TruncationTarget target{0.4 * settings.truncation, settings.truncation};
-    transport.bounce = truncated_bounce(
-        BounceTruncation(transport.space, closed, std::move(coefficients), ensemble.total), tried,
-        albedo, target, progress);
-    clock.lap("operator");
+        // 6. Is it good enough?
+        if (judged_.empty()) {
+            judged_ = judge(ground_, options_, *last_, progress_);
+            for (const JudgedLight& one : judged_)
+                report_.estimate_rays += one.rays;
+        }
+        estimate_ = estimate_error(*last_, ground_.quads, ground_.occluders, judged_, progress_);
+        clock_.lap("estimate");
+        note(settings);
+        return missed_by(estimate_, options_.error);
+    }
 
-    // 5. The global transport operator.
-    sum_series(ensemble.direct, tried, target, progress, transport);
-    clock.lap("series");
-    report.elements = transport.space.elements().size();
-    report.cells = transport.space.functions();
-    return transport;
+    /// Null before the first one is built.
+    const GlobalTransport* last() const { return last_ ? &*last_ : nullptr; }
+    GlobalTransport take() { return std::move(*last_); }
+
+  private:
+    void note(const Settings& settings) {
+        report_.error_by_light = estimate_.by_light;
+        Provenance& provenance = last_->provenance;
+        provenance.program = "lightwell";
+        provenance.oracle = options_.oracle == OracleKind::geometric ? "geometric" : "variation";
+        provenance.error_asked = options_.error;
+        provenance.error_estimated = estimate_.rms();
+        provenance.error_bound = estimate_.bound();
+        if (!estimate_.by_light.empty()) provenance.error_basis = basis_of(judged_);
+        provenance.energy_dropped = estimate_.energy_dropped;
+        provenance.cell_size = settings.cell_size;
+        provenance.oracle_tolerance = settings.oracle_tolerance;
+        provenance.truncation = settings.truncation;
+        provenance.rays = cost_.rays;
+    }
+
+    const Ground& ground_;
+    const PrecomputeOptions& options_;
+    const Progress& progress_;
+    OracleCost& cost_;
+    StageClock& clock_;
+    PrecomputeReport& report_;
+    std::optional<GlobalTransport> last_;
+    std::vector<JudgedLight> judged_;
+    ErrorEstimate estimate_;
+};
+
+/// The first guess, with what an earlier operator taught.
+Settings first_settings(const PrecomputeOptions& options, const Ground& ground) {
+    Settings settings = settings_for(options, ground.distance, ground.elements.size());
+    if (!options.earlier) return settings;
+    const double guessed = error_guessed_for(*options.earlier);
+    const double missed = guessed > 0 ? options.earlier->error_estimated / (0.9 * guessed) : 0;
+    if (missed > 1) tighten(options, missed, settings);
+    return settings;
+}
+
+/// The settings of a preview, which takes a few per cent of the time; none where the work is short
+/// or hardly longer than that.
+std::optional<Settings> preview_settings(const PrecomputeOptions& options, const Ground& ground,
+                                         const Settings& settings) {
+    constexpr double coarse = 0.3, shortest_worth = 0.15, few_cells = 4000;
+    const bool by_hand = options.cell_size || options.oracle_tolerance || options.truncation;
+    if (!options.preview || by_hand || options.most_attempts == 0 ||
+        options.error > shortest_worth || cells_at(ground.elements, settings) < few_cells)
+        return std::nullopt;
+    PrecomputeOptions asked = options;
+    asked.error = coarse;
+    return settings_for(asked, ground.distance, ground.elements.size());
+}
+
+/// 2. to 6., again and again, until an operator is good enough or no other is allowed.
+void attempt(Attempts& attempts, const Ground& ground, const PrecomputeOptions& options,
+             const Progress& progress, PrecomputeReport& report) {
+    Settings settings = first_settings(options, ground);
+    if (const auto preview = preview_settings(options, ground, settings)) {
+        progress.say("preview", 0);
+        Progress silent;
+        silent.stop_requested = progress.stop_requested;
+        if (attempts.build_and_judge(*preview, silent) <= 1) return;
+    }
+    for (report.attempts = 1;; ++report.attempts) {
+        const double missed = attempts.build_and_judge(settings, progress);
+        const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
+        // Counted in links and not in seconds, so that the result is the same on every machine.
+        const bool too_much = attempts.last()->provenance.links > options.most_links / 2;
+        if (missed <= 1 || by_hand || too_much || report.attempts >= options.most_attempts) return;
+        Settings tighter = settings;
+        tighten(options, missed, tighter);
+        // What there is, is better than a failure.
+        const double cells = cells_at(ground.elements, tighter);
+        if (memory_for(cells, tighter.truncation) > static_cast<double>(options.max_memory)) return;
+        settings = tighter;
+    }
 }
 
 /// The pipeline, of a scene without gloss.
@@ -217,52 +165,14 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
     report.inside_of_solids = ground.inside_of_solids;
     clock.lap("elements");
 
-    Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    GlobalTransport transport;
-    std::vector<JudgedLight> judged;
-    ErrorEstimate estimate;
-    for (report.attempts = 1;; ++report.attempts) {
-        transport = build(ground, options, settings, progress, cost, clock, report);
-        if (options.most_attempts == 0) break;
-
-        // 6. Is it good enough?
-        if (judged.empty()) {
-            judged = judge(ground, options, transport, progress);
-            for (const JudgedLight& one : judged)
-                report.estimate_rays += one.rays;
-        }
-        estimate = estimate_error(transport, ground.quads, ground.occluders, judged, progress);
-        clock.lap("estimate");
-        const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
-        // Counted in links and not in seconds, so that the result is the same on every machine.
-        const bool too_much = transport.provenance.links > options.most_links / 2;
-        // The judge looks at few lights and points, so its verdict on one light in ten is granted
-        // some noise.
-        const double missed = std::max(estimate.rms() / (0.9 * options.error),
-                                       estimate.ninth_of_ten() / (1.15 * options.error));
-        if (missed <= 1 || by_hand || too_much || report.attempts == options.most_attempts) break;
-        Settings tighter = settings;
-        tighten(options, missed, tighter);
-        // What there is, is better than a failure.
-        const double cells = cells_of(with_cells(ground.elements, tighter));
-        if (memory_for(cells, tighter.truncation) > static_cast<double>(options.max_memory)) break;
-        settings = tighter;
+    Attempts attempts(ground, options, progress, cost, clock, report);
+    try {
+        attempt(attempts, ground, options, progress, report);
+    } catch (const Interrupted&) {
+        if (attempts.last() == nullptr) throw;
+        report.interrupted = true;
     }
-    report.error_by_light = estimate.by_light;
-
-    Provenance& provenance = transport.provenance;
-    provenance.program = "lightwell";
-    provenance.oracle = options.oracle == OracleKind::geometric ? "geometric" : "variation";
-    provenance.error_asked = options.error;
-    provenance.error_estimated = estimate.rms();
-    provenance.error_bound = estimate.bound();
-    if (!judged.empty()) provenance.error_basis = basis_of(judged);
-    provenance.energy_dropped = estimate.energy_dropped;
-    provenance.cell_size = settings.cell_size;
-    provenance.oracle_tolerance = settings.oracle_tolerance;
-    provenance.truncation = settings.truncation;
-    provenance.rays = cost.rays;
-    return transport;
+    return attempts.take();
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ struct PrecomputeOptions {
     std::uint64_t max_memory = std::uint64_t{8} << 30;
     /// Operators that may be built; 0 builds one and does not judge it.
     int most_attempts = 3;
+    /// Whether a coarse operator is built first where the work is long: whoever interrupts it then
+    /// has something.
+    bool preview = false;
+    /// How an earlier operator of the scene came to be: where it missed its error, this one starts
+    /// tighter.
+    std::optional<Provenance> earlier;
     /// Whether glossy materials are computed as diffuse ones of equal mean albedo.
     bool diffuse = false;
     /// Links beyond which no further attempt is made: each about doubles them.
@@ -42,8 +48,9 @@ struct PrecomputeReport {
     std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids
     std::uint64_t cells = 0;             ///< finest cells of all elements
     std::uint64_t links_judged = 0;
-    std::uint64_t link_rays = 0;     ///< of Provenance::rays, those that judged links
-    int attempts = 0;                ///< operators built until one was good enough
+    std::uint64_t link_rays = 0;  ///< of Provenance::rays, those that judged links
+    int attempts = 0;             ///< operators built until one was good enough, without a preview
+    bool interrupted = false;  ///< whether the operator is what there was when it was interrupted
     std::int64_t estimate_rays = 0;  ///< traced to judge them, beside those in Provenance::rays
     std::vector<double>
         error_by_light;  ///< of the last one: relative rms errors of lights it was not made for
@@ -56,9 +63,11 @@ struct PrecomputeReport {
 /// sections 4.2 to 4.4). The transport's scene holds glossy materials as they are, however they are
 /// computed.
 ///
+/// Interrupted by its progress, it returns the last operator that it finished, if there is one.
+///
 /// @throws InputError    if the scene cannot be computed within max_memory (said before it starts
 /// in earnest)
-/// @throws Interrupted   if the progress says so
+/// @throws Interrupted   if the progress says so and there is no operator yet
 GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
                            const Progress& progress, PrecomputeReport& report);
 

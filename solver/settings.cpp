@@ -8,6 +8,17 @@
 
 namespace lightwell {
 
+namespace {
+
+/// The part of the error that truncation may make.
+constexpr double truncation_share = 0.6;
+
+}  // namespace
+
+double error_guessed_for(const Provenance& provenance) {
+    return provenance.truncation / truncation_share;
+}
+
 Settings settings_for(const PrecomputeOptions& options, double distance, std::size_t elements) {
     Settings settings;
     settings.cell_size =
@@ -18,7 +29,7 @@ Settings settings_for(const PrecomputeOptions& options, double distance, std::si
                                  ? 4e-5 * std::pow(options.error / 0.05, 1.75) * crowding
                                  : options.error;
     settings.oracle_tolerance = options.oracle_tolerance.value_or(tolerance);
-    settings.truncation = options.truncation.value_or(0.6 * options.error);
+    settings.truncation = options.truncation.value_or(truncation_share * options.error);
     return settings;
 }
 

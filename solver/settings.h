@@ -22,6 +22,9 @@ struct Settings {
 ///                  that one light reaches, and the less a link may be wrong by
 Settings settings_for(const PrecomputeOptions& options, double distance, std::size_t elements);
 
+/// The error that settings are first guesses for, by the truncation that belongs to it.
+double error_guessed_for(const Provenance& provenance);
+
 /// Tightens what is not set by hand after an operator came out `missed` times as wrong as asked.
 void tighten(const PrecomputeOptions& options, double missed, Settings& settings);
 

@@ -33,7 +33,8 @@ FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& vis
       visibility_(visibility),
       incident_(std::move(incident)),
       glossy_(glossy),
-      albedo_(mean_albedos(transport.scene.materials)) {
+      albedo_(mean_albedos(transport.scene.materials)),
+      mean_(strata) {
     // One jittered point per stratum of the angular square, the same for every sensor: neighbouring
     // sensors then differ by what they see and not by chance.
     std::mt19937_64 random(20060626);
@@ -43,31 +44,26 @@ FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& vis
             const double s = (i + uniform()) / strata;
             const double t = (j + uniform()) / strata;
             square_.emplace_back(s, t);
-            directions_.push_back(direction_from_square({s, t}));
         }
 }
 
 Rgb FinalGather::irradiance(const Vec3& point, const Vec3& normal, int on_quad) const {
     // E = Int L cos dw = pi * mean of L over the angular square, and L = rho E_y / pi.
     const Eigen::Matrix3d frame = frame_about(normal);
-    Rgb sum = Rgb::Zero();
-    for (const Vec3& local : directions_) {
-        const Vec3 direction = frame * local;
+    return mean_.of([&](const Vec2& square) -> Rgb {
+        const Vec3 direction = frame * direction_from_square(square);
         const Hit hit = visibility_.nearest(point, on_quad, direction);
-        if (!hit) continue;
+        if (!hit) return Rgb::Zero();
         const int element = transport_.space.element_on(hit.quad, hit.front);
-        if (element < 0) continue;
+        if (element < 0) return Rgb::Zero();
         const auto e = static_cast<std::size_t>(element);
         const Element& met = transport_.space.element(e);
         const Vec3 at = point + hit.distance * direction;
-        if (glossy_ != nullptr && glossy_->is_glossy(e)) {
-            sum += M_PI * glossy_->radiance(e, at, -direction);
-            continue;
-        }
+        if (glossy_ != nullptr && glossy_->is_glossy(e))
+            return M_PI * glossy_->radiance(e, at, -direction);
         const Vec2 uv = met.geometry.parameters(at);
-        sum += albedo_[transport_.scene.material_number(hit.quad)] * incident_[e].at(uv[0], uv[1]);
-    }
-    return sum / static_cast<double>(directions_.size());
+        return albedo_[transport_.scene.material_number(hit.quad)] * incident_[e].at(uv[0], uv[1]);
+    });
 }
 
 GatheredRadiance FinalGather::against(const Vec3& point, int on_quad, const Vec3& direction) const {

@@ -6,12 +6,14 @@
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/outgoing/glossy_light.h"
+#include "runtime/outgoing/square_mean.h"
 
 namespace lightwell {
 
 /// Indirect light at any point by one last gathering over the hemisphere: what surfaces around
 /// reflect, read from a smooth reconstruction, where a ray says which surface. Not blocky, and the
-/// error of the stored light is averaged over all that the point sees.
+/// error of the stored light is averaged over all that the point sees. Half of the rays go where
+/// the others found differences: to small bright places, far ones for example (see SquareMean).
 class FinalGather {
   public:
     /// The references must outlive the gather.
@@ -38,9 +40,9 @@ class FinalGather {
     const Visibility& visibility_;
     std::vector<SmoothSurface> incident_;
     const GlossyLight* glossy_;
-    std::vector<Rgb> albedo_;       ///< mean, by material
-    std::vector<Vec2> square_;      ///< a jittered point of each stratum of the unit square
-    std::vector<Vec3> directions_;  ///< the same as cosine-distributed directions about z
+    std::vector<Rgb> albedo_;   ///< mean, by material
+    SquareMean mean_;           ///< over cosine-distributed directions
+    std::vector<Vec2> square_;  ///< a jittered point of each stratum of the unit square
 };
 
 }  // namespace lightwell

@@ -136,9 +136,9 @@ std::string row(const Vec3& position, const Vec3& direction, const Reading& read
 }  // namespace
 
 int gather_strata(double error) {
-    constexpr double finest = 0.02, coarsest = 0.08;
+    constexpr double finest = 0.01, coarsest = 0.08;
     return static_cast<int>(
-        std::lround(64 * std::sqrt(finest / std::clamp(error, finest, coarsest))));
+        std::lround(90 * std::sqrt(finest / std::clamp(error, finest, coarsest))));
 }
 
 void run_measure(const MeasureRequest& request) {

@@ -17,8 +17,7 @@ struct MeasureRequest {
 };
 
 /// Directions along either side of the hemisphere that a sensor gathers from. The gather's own
-/// error must be small beside the operator's: 64 up to 2 %, fewer for a coarser operator, 32 from 8
-/// % on.
+/// error must be small beside the operator's: 90 up to 1 %, 64 at 2 %, 32 from 8 % on.
 /// @param error  relative, that the operator was computed for
 int gather_strata(double error);
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "radiance4d/operator/global_transport.h"
+#include "radiance4d/progress.h"
+#include "solver/ground.h"
+#include "solver/precompute.h"
+#include "solver/settings.h"
+#include "solver/stage_clock.h"
+#include "solver/transport/oracle.h"
+
+namespace lightwell {
+
+/// The finest cells of all elements at given settings.
+double cells_at(const std::vector<Element>& elements, const Settings& settings);
+
+/// Memory [bytes] that the operators of so many cells take to compute, at most; as measured.
+double memory_for(double cells, double truncation);
+
+/// The operators of a scene without gloss for given settings: elements, links, direct transport
+/// operator, Neumann series (WRT sections 4.2 to 4.4). All of its provenance is still to be filled
+/// in but links and bounces.
+///
+/// @param cost  receives the rays
+/// @throws InputError   if it cannot be computed within options.max_memory; said first
+/// @throws Interrupted  if the progress says so
+GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& options,
+                                 const Settings& settings, const Progress& progress,
+                                 OracleCost& cost, StageClock& clock, PrecomputeReport& report);
+
+}  // namespace lightwell
