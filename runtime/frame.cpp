@@ -28,8 +28,12 @@ Frame::Frame(const GlobalTransport& transport, std::unique_ptr<LightProjection> 
       propagation_(transport, format),
       update_(transport.space, propagation_),
       synthesis_(transport),
+      lobes_(transport),
+      emitted_lobes_(transport),
       emitted_(packed(propagated(transport.bounce, emission_of(transport.scene, transport.space)))),
-      direct_(PackedField::Zero(4, transport.space.functions())) {}
+      direct_(PackedField::Zero(4, transport.space.functions())) {
+    emitted_lobes_.take(emitted_);
+}
 
 const FrameReport& Frame::light(const std::vector<Light>& lamps, const UpdateOptions& options) {
     StageClock clock;
@@ -42,6 +46,14 @@ const FrameReport& Frame::light(const std::vector<Light>& lamps, const UpdateOpt
 
     report_.textures = synthesis_.synthesise(update_.indirect());
     report_.synthesis_seconds = clock.lap();
+    return report_;
+}
+
+const FrameReport& Frame::look(const Vec3& eye) {
+    StageClock clock;
+    lobes_.take(update_.indirect());
+    report_.lobes = lobes_.synthesise(eye) + emitted_lobes_.synthesise(eye);
+    report_.lobe_seconds = clock.lap();
     return report_;
 }
 

@@ -84,7 +84,28 @@ float falloff(float cosine, float inner, float outer) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-vec3 light_of_lamps(vec3 point, vec3 normal, int own, float footprint) {
+// UnitPhong::value and UnitGgx::value.
+float lobe_value(float shape, vec3 normal, vec3 from, vec3 to) {
+    if (shape >= 0.0) {
+        float cosine = dot(2.0 * dot(normal, from) * normal - from, to);
+        return cosine > 0.0 ? (shape + 2.0) / 6.283185307179586 * pow(cosine, shape) : 0.0;
+    }
+    float square = shape * shape, in_cosine = dot(normal, from), out_cosine = dot(normal, to);
+    if (!(in_cosine > 0.0 && out_cosine > 0.0)) return 0.0;
+    vec2 cosines = vec2(in_cosine, out_cosine), squares = cosines * cosines;
+    vec2 hidden = 0.5 * (sqrt(squares + square * (1.0 - squares)) - cosines);
+    vec3 middle = normalize(from + to);
+    float along = dot(middle, normal);
+    vec3 across = middle - along * normal;
+    float spread = dot(across, across) + square * along * along;
+    return square / (3.141592653589793 * spread * spread) /
+           (4.0 * (in_cosine * out_cosine + out_cosine * hidden.x + in_cosine * hidden.y));
+}
+
+// Irradiance; `highlight` is what a lobe of reflectance 1 makes of it in the direction `towards`.
+vec3 light_of_lamps(vec3 point, vec3 normal, int own, float footprint, vec3 towards, vec4 lobe,
+                    out vec3 highlight) {
+    highlight = vec3(0.0);
     vec3 sum = vec3(0.0);
     for (int k = 0; k < lamp_count; ++k) {
         vec3 lamp = texelFetch(lamps, 3 * k).xyz;
@@ -95,7 +116,10 @@ vec3 light_of_lamps(vec3 point, vec3 normal, int own, float footprint) {
         if (!(cosine > 0.0)) continue;
         float share = falloff(-dot(axis.xyz, way) * inversesqrt(square), intensity.w, axis.w);
         if (share > 0.0) share *= 1.0 - hidden_share(k, lamp, point, own, footprint);
-        sum += intensity.rgb * (share * cosine / square);
+        vec3 light = intensity.rgb * (share * cosine / square);
+        sum += light;
+        for (int g = 0; g < (glossy && lobe.rgb != vec3(0.0) ? 1 : 0); ++g)
+            highlight += light * lobe_value(lobe.w, normal, way * inversesqrt(square), towards);
     }
     return sum;
 }

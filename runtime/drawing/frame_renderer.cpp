@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <GL/glcorearb.h>
 
@@ -72,6 +73,8 @@ class FrameRenderer::Drawing {
           shaft_buffer_(gl_),
           shown_(make_texture(gl_)),
           exact_(make_texture(gl_)),
+          lobes_(make_texture(gl_)),
+          emitted_lobes_(make_texture(gl_)),
           lamp_maps_(gl_, indices_, options.lamp_side) {
         for (std::size_t q = 0; q < quads_.size(); ++q)
             quads_[q] = transport.scene.quads[q].quad;
@@ -88,7 +91,7 @@ class FrameRenderer::Drawing {
         first_list_ = shafts.first_list();
         // One texel with its border, for all elements.
         const std::array<float, 4 * 9> darkness = {};
-        for (const GlObject* texture : {&shown_, &exact_})
+        for (const GlObject* texture : {&shown_, &exact_, &lobes_, &emitted_lobes_})
             fill(*texture, {3, 3}, darkness.data());
     }
 
@@ -109,6 +112,14 @@ class FrameRenderer::Drawing {
         if (surfaces_.place(textures)) surface_buffer_.set(surfaces_.records);
         fill(is_exact ? exact_ : shown_, textures.size(), textures.pixels());
         check_gl(gl_, "uploading textures");
+    }
+
+    void upload_lobes(const TextureAtlas& indirect, const TextureAtlas& emitted) {
+        if (surfaces_.place_lobes(indirect)) surface_buffer_.set(surfaces_.records);
+        fill(lobes_, indirect.size(), indirect.pixels());
+        fill(emitted_lobes_, emitted.size(), emitted.pixels());
+        check_gl(gl_, "uploading textures");
+        if (!std::exchange(is_glossy_, true)) lighting_.clear();
     }
 
     void draw(const Camera& camera, const FrameView& view, int width, int height) {
@@ -180,8 +191,8 @@ class FrameRenderer::Drawing {
         const auto found = lighting_.find(picture);
         if (found != lighting_.end()) return found->second;
         return lighting_
-            .emplace(picture,
-                     make_program(gl_, covering_vertex_shader(), lighting_shader(picture).c_str()))
+            .emplace(picture, make_program(gl_, covering_vertex_shader(),
+                                           lighting_shader(picture, is_glossy_).c_str()))
             .first->second;
     }
 
@@ -218,6 +229,8 @@ class FrameRenderer::Drawing {
         program.set_texture("shafts", GL_TEXTURE_BUFFER, shaft_buffer_.texture());
         program.set_texture("shown", GL_TEXTURE_2D, shown_.name());
         program.set_texture("exact", GL_TEXTURE_2D, exact_.name());
+        program.set_texture("lobes", GL_TEXTURE_2D, lobes_.name());
+        program.set_texture("emitted_lobes", GL_TEXTURE_2D, emitted_lobes_.name());
         program.set("first_element", surfaces_.first_element);
         program.set("eye", seen.eye);
         program.set("frame", seen.frame);
@@ -270,7 +283,8 @@ class FrameRenderer::Drawing {
     std::map<Picture, GlObject> lighting_;  ///< made when first needed
     GlObject developing_, covering_;
     RecordBuffer surface_buffer_, lamp_buffer_, emitter_buffer_, shaft_buffer_;
-    GlObject shown_, exact_;
+    GlObject shown_, exact_, lobes_, emitted_lobes_;
+    bool is_glossy_ = false;
     LampMaps lamp_maps_;
     int lamp_count_ = 0, emitter_count_ = 0, first_list_ = 0;
     std::optional<Canvas> canvas_;
@@ -290,6 +304,9 @@ void FrameRenderer::upload(const TextureAtlas& textures) {
 }
 void FrameRenderer::upload_exact(const TextureAtlas& textures) {
     drawing_->upload(textures, true);
+}
+void FrameRenderer::upload_lobes(const TextureAtlas& indirect, const TextureAtlas& emitted) {
+    drawing_->upload_lobes(indirect, emitted);
 }
 void FrameRenderer::draw(const Camera& camera, const FrameView& view, int width, int height) {
     drawing_->draw(camera, view, width, height);

@@ -66,6 +66,11 @@ class FrameRenderer {
     /// The same by the exact product, for Picture::difference.
     void upload_exact(const TextureAtlas& textures);
 
+    /// What lobes send towards the eye that draws next, of indirect light and of that of emitting
+    /// quads (LobeSynthesis); both are laid out alike. Before the first call surfaces that have
+    /// lobes lack what these reflect.
+    void upload_lobes(const TextureAtlas& indirect, const TextureAtlas& emitted);
+
     /// Draws into the framebuffer that is bound, from its lower left corner on, as sRGB-encoded
     /// colours; GL_FRAMEBUFFER_SRGB is switched off. Depth there is neither read nor written.
     /// @throws InputError for a camera that cannot be used; SystemError if OpenGL fails.

@@ -9,7 +9,7 @@ namespace {
 constexpr const char* surface_access = R"(
 uniform samplerBuffer surfaces;  // SurfaceRecords
 uniform int first_element;
-const int per_quad = 9, per_element = 2;
+const int per_quad = 10, per_element = 3;
 // Nearer to a quad's plane than this a point lies in it; lengths are parts of the scene's diagonal.
 const float contact = 3e-6;
 
@@ -31,8 +31,14 @@ vec3 emission_of(int quad, bool front) {
 vec4 place_of(int element) {
     return texelFetch(surfaces, first_element + per_element * element);
 }
+vec4 lobe_of(int quad) {
+    return texelFetch(surfaces, per_quad * quad + 9);
+}
 vec4 cells_of(int element) {
     return texelFetch(surfaces, first_element + per_element * element + 1);
+}
+vec4 lobe_place_of(int element) {
+    return texelFetch(surfaces, first_element + per_element * element + 2);
 }
 )";
 
@@ -94,6 +100,7 @@ int quad_along(vec3 ray) {
 constexpr const char* indirect_light = R"(
 uniform sampler2D shown;  // TextureAtlas
 uniform sampler2D exact;
+uniform sampler2D lobes, emitted_lobes;
 uniform bool bilinear;
 
 // (u,v) of a point in the plane of a quad, by Newton's method on the bilinear map.
@@ -115,8 +122,7 @@ vec2 parameters(int quad, vec3 point) {
     return clamp(uv, 0.0, 1.0);
 }
 
-vec3 textured(sampler2D atlas, int element, vec2 uv) {
-    vec4 place = place_of(element);
+vec3 textured(sampler2D atlas, vec4 place, vec2 uv) {
     ivec2 corner = ivec2(place.xy);
     vec2 size = place.zw;
     if (!bilinear)
@@ -198,14 +204,16 @@ void main() {
             light.rgb = ramp_colour(cells_of(element).w) * (0.4 + 0.6 * cosine);
         return;
     }
-    vec3 direct = vec3(0.0), indirect = vec3(0.0);
+    vec3 direct = vec3(0.0), indirect = vec3(0.0), highlight = vec3(0.0);
+    vec4 lobe = glossy ? lobe_of(quad) : vec4(0.0);
     if (picture != 2)
-        direct = light_of_lamps(point, normal, quad, footprint / max(cosine, 0.1)) +
+        direct = light_of_lamps(point, normal, quad, footprint / max(cosine, 0.1),
+                                -normalize(ray), lobe, highlight) +
                  light_of_emitters(point, normal, quad, front, uv);
     vec2 side = front ? uv : uv.yx;  // a side's own u and v
-    if (picture != 1 && element >= 0) indirect = textured(shown, element, side);
+    if (picture != 1 && element >= 0) indirect = textured(shown, place_of(element), side);
     if (picture == 6) {
-        vec3 right = direct + (element >= 0 ? textured(exact, element, side) : vec3(0.0));
+        vec3 right = direct + (element >= 0 ? textured(exact, place_of(element), side) : vec3(0.0));
         float reference = luminance(right);
         float error = luminance(direct + indirect) - reference;
         light.rgb = difference_colour(reference > 0.0 ? error / reference : 0.0);
@@ -214,7 +222,12 @@ void main() {
     light.rgb = direct + indirect;
     if (picture == 3) return;
     light.rgb *= reflectance_of(quad, front);
-    if (picture != 2) light.rgb += emission_of(quad, front);
+    if (picture != 2) light.rgb += emission_of(quad, front) + lobe.rgb * highlight;
+    vec4 place = glossy && element >= 0 ? lobe_place_of(element) : vec4(0.0);
+    for (int k = 0; k < (place.z > 0.0 ? 1 : 0); ++k) {
+        if (picture != 1) light.rgb += textured(lobes, place, side);
+        if (picture != 2) light.rgb += textured(emitted_lobes, place, side);
+    }
 }
 )";
 
@@ -272,10 +285,11 @@ void main() {
 )";
 }
 
-std::string lighting_shader(Picture picture) {
+std::string lighting_shader(Picture picture, bool glossy) {
     return "#version 330 core\nconst int picture = " + std::to_string(static_cast<int>(picture)) +
-           ";\n" + surface_access + seen_surface + lamp_light_functions() +
-           emitter_light_functions() + indirect_light + colour_ramp + pictures;
+           ";\nconst bool glossy = " + (glossy ? "true" : "false") + ";\n" + surface_access +
+           seen_surface + lamp_light_functions() + emitter_light_functions() + indirect_light +
+           colour_ramp + pictures;
 }
 
 std::string developing_shader() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -15,6 +16,14 @@ namespace {
 Record record(const Eigen::Array3d& three, double fourth = 0) {
     return {static_cast<float>(three[0]), static_cast<float>(three[1]),
             static_cast<float>(three[2]), static_cast<float>(fourth)};
+}
+
+/// Reflectance of a lobe and its shape, see records_per_quad.
+Record lobe_record(const Lobe& lobe) {
+    double shape = 0;
+    if (const auto* phong = std::get_if<PhongLobe>(&lobe)) shape = phong->exponent;
+    if (const auto* ggx = std::get_if<GgxLobe>(&lobe)) shape = -ggx->roughness;
+    return record(lobe_reflectance(lobe), shape);
 }
 
 /// Coefficients of the global transport operator by the element that they give light to.
@@ -50,13 +59,17 @@ SurfaceRecords::SurfaceRecords(const GlobalTransport& transport, const SceneScal
         for (std::size_t k = 0; k < 4; ++k)
             records.push_back(record(scale.scaled(quad.vertex[k]), fourth[k]));
         records.push_back(record(quad.normal()));
+        const bool has_lobe = std::any_of(fourth.begin(), fourth.begin() + 2, [&](double e) {
+            return e >= 0 && space.element(static_cast<std::size_t>(e)).angle.levels() > 0;
+        });
+        const Rgb& diffuse = has_lobe ? material.reflectance : albedo[scene.material_number(q)];
         for (const bool front : {true, false}) {
             const bool reflects = front || material.reflecting == Sides::both;
             const bool emits = front || material.emitting == Sides::both;
-            records.push_back(
-                record(reflects ? Rgb(albedo[scene.material_number(q)] / M_PI) : Rgb(Rgb::Zero())));
+            records.push_back(record(reflects ? Rgb(diffuse / M_PI) : Rgb(Rgb::Zero())));
             records.push_back(record(emits ? material.emission : Rgb(Rgb::Zero())));
         }
+        records.push_back(has_lobe ? lobe_record(material.lobe) : Record{});
     }
     first_element = static_cast<int>(records.size());
     LIGHTWELL_CHECK_OP(records.size(), ==, scene.quads.size() * records_per_quad);
@@ -75,21 +88,33 @@ SurfaceRecords::SurfaceRecords(const GlobalTransport& transport, const SceneScal
         records.push_back(record({1.0 * tree.columns(), 1.0 * tree.rows(),
                                   1.0 * tree.levels() / std::max(1, deepest_level)},
                                  share));
+        records.push_back({});
+        has_lobe_.push_back(space.element(e).angle.levels() > 0 ? 1 : 0);
     }
 }
 
 bool SurfaceRecords::place(const TextureAtlas& atlas) {
     bool is_news = false;
-    for (std::size_t e = 0; e < atlas.textures(); ++e) {
-        const AtlasPlace& place = atlas.place(e);
-        const Record entry = {static_cast<float>(place.left), static_cast<float>(place.top),
-                              static_cast<float>(place.size.columns),
-                              static_cast<float>(place.size.rows)};
-        Record& known = records[static_cast<std::size_t>(first_element) + e * records_per_element];
-        is_news = is_news || known != entry;
-        known = entry;
-    }
+    for (std::size_t e = 0; e < atlas.textures(); ++e)
+        is_news = enter(atlas, e, 0) || is_news;
     return is_news;
+}
+
+bool SurfaceRecords::place_lobes(const TextureAtlas& atlas) {
+    bool is_news = false;
+    for (std::size_t e = 0; e < atlas.textures(); ++e)
+        if (has_lobe_[e] != 0) is_news = enter(atlas, e, 2) || is_news;
+    return is_news;
+}
+
+bool SurfaceRecords::enter(const TextureAtlas& atlas, std::size_t e, int which) {
+    const AtlasPlace& place = atlas.place(e);
+    const Record entry = {static_cast<float>(place.left), static_cast<float>(place.top),
+                          static_cast<float>(place.size.columns),
+                          static_cast<float>(place.size.rows)};
+    Record& known =
+        records[static_cast<std::size_t>(first_element + which) + e * records_per_element];
+    return std::exchange(known, entry) != entry;
 }
 
 }  // namespace lightwell

@@ -24,11 +24,14 @@ struct SceneScale {
 
 /// Records a quad takes: its four vertices (scaled; the fourth number of the first two is the
 /// element on the front and on the back, or -1), its normal, then for front and back the
-/// reflectance over pi and the emission [cd/m2] that leaves that side.
-constexpr int records_per_quad = 9;
-/// Records an element takes: its place in the atlas (left, top, columns, rows) and its cells
-/// (columns, rows, levels over the deepest, coefficients by a logarithmic measure in [0,1]).
-constexpr int records_per_element = 2;
+/// reflectance over pi and the emission [cd/m2] that leaves that side, then the reflectance of its
+/// lobe and what shapes it: the exponent of Phong's lobe, or less than zero the roughness of GGX.
+/// The lobe of a side without directions is part of its reflectance.
+constexpr int records_per_quad = 10;
+/// Records an element takes: its place in the atlas (left, top, columns, rows), its cells (columns,
+/// rows, levels over the deepest, coefficients by a logarithmic measure in [0,1]), and its place in
+/// the atlas of lobes (no columns: it has none).
+constexpr int records_per_element = 3;
 
 /// What shaders must know of the surfaces: all quads' records, then all elements'.
 struct SurfaceRecords {
@@ -40,6 +43,13 @@ struct SurfaceRecords {
     SurfaceRecords(const GlobalTransport& transport, const SceneScale& scale);
     /// Enters where the textures lie. @return whether that is news.
     bool place(const TextureAtlas& atlas);
+    /// The same of the textures of lobes.
+    bool place_lobes(const TextureAtlas& atlas);
+
+  private:
+    bool enter(const TextureAtlas& atlas, std::size_t e, int which);
+
+    std::vector<char> has_lobe_;  ///< by element
 };
 
 }  // namespace lightwell

@@ -11,9 +11,8 @@
 namespace lightwell {
 
 /// The cells of one element as light projection needs them: where they lie, and how the flux on
-/// them becomes coefficients; of the angular means alone where the element is glossy, so that light
-/// falls on it as if it were diffuse (WRT section 5.1). Coordinates are relative to the element's
-/// centre, so that single precision is enough wherever the element stands.
+/// them becomes coefficients (of a glossy element: see DirectedCells). Coordinates are relative to
+/// the element's centre, so that single precision is enough wherever the element stands.
 class ElementCells {
   public:
     explicit ElementCells(const Element& element);

@@ -35,6 +35,8 @@ OcclusionQueryProjection::OcclusionQueryProjection(const RadianceSpace& space,
         parts += element.space.tree().positions();
         share_.emplace_back(element.space.tree().functions());
         flux_.push_back(PackedField::Zero(4, element.space.tree().functions()));
+        directed_.push_back(element.angle.levels() > 0 ? std::make_unique<DirectedCells>(element)
+                                                       : nullptr);
     }
 }
 
@@ -51,10 +53,17 @@ void OcclusionQueryProjection::project(const std::vector<Light>& lights, PackedF
             const LightKernel kernel(light, cells_[e]);
             for (std::uint32_t m = 0; m < share_[e].size(); ++m)
                 if (share_[e][m] > 0) flux_[e].col(m) += share_[e][m] * kernel.flux(m) * intensity;
+            if (!directed_[e]) return;
+            directed_[e]->add(position_of(light), flux_[e]);
+            flux_[e].setZero();
         });
     }
-    tbb::parallel_for(std::size_t{0}, cells_.size(),
-                      [&](std::size_t e) { cells_[e].analyse(flux_[e], direct); });
+    tbb::parallel_for(std::size_t{0}, cells_.size(), [&](std::size_t e) {
+        if (directed_[e])
+            directed_[e]->analyse(direct);
+        else
+            cells_[e].analyse(flux_[e], direct);
+    });
 }
 
 void OcclusionQueryProjection::find_shares(const Light& light) {

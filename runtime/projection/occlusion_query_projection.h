@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "radiance4d/basis/radiance_space.h"
 #include "runtime/projection/cube_depth.h"
+#include "runtime/projection/directed_cells.h"
 #include "runtime/projection/element_cells.h"
 #include "runtime/projection/light_projection.h"
 
@@ -53,8 +55,9 @@ class OcclusionQueryProjection : public LightProjection {
     std::vector<std::uint32_t> first_part_;  ///< by element: its cells of all levels are parts
     std::vector<std::vector<float>> share_;  ///< visible share, by element and finest cell
     std::vector<PackedField> flux_;          ///< scratch, by element
-    std::vector<Pending> level_, next_;      ///< scratch
-    std::vector<CountedPart> counted_;       ///< scratch
+    std::vector<std::unique_ptr<DirectedCells>> directed_;  ///< by element, of glossy ones
+    std::vector<Pending> level_, next_;                     ///< scratch
+    std::vector<CountedPart> counted_;                      ///< scratch
     CubeDepth depth_;
     std::uint64_t queries_ = 0;
 };

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/scene/visibility.h"
+#include "runtime/projection/directed_cells.h"
 #include "runtime/projection/light_kernel.h"
 #include "runtime/projection/shadow_planes.h"
 
@@ -42,9 +44,10 @@ struct ShadowProjection::Scratch {
         std::size_t begin, end;  ///< its shadows, in edge_shadows
         float unoccluded;        ///< flux with nothing between, for 1 cd [lm]
     };
-    PackedField flux;                    ///< of an element's finest cells
-    std::vector<int> found;              ///< quads before an element
-    std::vector<ShadowPlanes> planes;    ///< of these
+    PackedField flux;                         ///< of an element's finest cells
+    std::unique_ptr<DirectedCells> directed;  ///< of a glossy element
+    std::vector<int> found;                   ///< quads before an element
+    std::vector<ShadowPlanes> planes;         ///< of these
     std::vector<std::uint32_t> pending;  ///< shadows of the cells being looked at, innermost last
     std::vector<EdgeCell> edge_cells;
     std::vector<std::uint32_t> edge_shadows;
@@ -249,6 +252,8 @@ ShadowProjection::ShadowProjection(const RadianceSpace& space, std::vector<Quad>
         quad_of_.push_back(element.quad);
         scratch_.emplace_back();
         scratch_.back().flux = PackedField::Zero(4, element.space.tree().functions());
+        if (element.angle.levels() > 0)
+            scratch_.back().directed = std::make_unique<DirectedCells>(element);
     }
     order_.resize(cells_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -288,8 +293,14 @@ void ShadowProjection::project(const std::vector<Light>& lights, PackedField& di
                 const Rgb intensity =
                     std::visit([](const auto& any) { return any.intensity; }, lights[l]);
                 ElementVisit(cells, kernel, intensity, scratch).run(options_.edge_error);
+                if (!scratch.directed) continue;
+                scratch.directed->add(position_of(lights[l]), scratch.flux);
+                scratch.flux.setZero();
             }
-            cells.analyse(scratch.flux, direct);
+            if (scratch.directed)
+                scratch.directed->analyse(direct);
+            else
+                cells.analyse(scratch.flux, direct);
         },
         tbb::simple_partitioner());
     report_ = {};

@@ -50,16 +50,6 @@ int checked_samples(int samples) {
     return samples;
 }
 
-const GlobalTransport& require_diffuse(const GlobalTransport& transport) {
-    for (const Element& element : transport.space.elements())
-        if (element.angle.functions() > 1)
-            throw InputError(fmt::format(
-                "{} is glossy; live pictures show diffuse light alone, leave --live, --path and "
-                "--view coefficients out",
-                transport.scene.describe(element.quad)));
-    return transport;
-}
-
 /// "walk.png", picture 0 of 250: "walk-0001.png".
 std::string numbered(const std::string& output, int frame, int frames) {
     const std::filesystem::path path(output);
@@ -74,9 +64,8 @@ std::string numbered(const std::string& output, int frame, int frames) {
 LivePictures::LivePictures(const OpenedOperator& opened, View view, const PixelSize& size,
                            int samples, OffscreenGl opengl)
     : context_(make_context(opengl)),
-      frame_(require_diffuse(opened.transport),
-             std::make_unique<ShadowProjection>(opened.transport.space, opened.quads,
-                                                opened.occluders)),
+      frame_(opened.transport, std::make_unique<ShadowProjection>(opened.transport.space,
+                                                                  opened.quads, opened.occluders)),
       renderer_(opened.transport, context_->loader()),
       view_(frame_view(view, checked_samples(samples))),
       size_(size) {}
@@ -85,6 +74,8 @@ Image LivePictures::drawn(const std::vector<Light>& lights, const Camera& camera
     frame_.light(lights);
     renderer_.set_lights(lights);
     renderer_.upload(frame_.textures());
+    if (frame_.is_glossy() && frame_.look(camera.position).lobes > 0)
+        renderer_.upload_lobes(frame_.lobes(), frame_.emitted_lobes());
     const LinearPicture picture = renderer_.linear(camera, view_, size_.width, size_.height);
     Image image(picture.width, picture.height);
     for (std::size_t p = 0; p < image.pixels().size(); ++p)

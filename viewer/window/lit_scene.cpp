@@ -103,10 +103,25 @@ bool LitScene::light(const std::vector<Light>& lights, const UpdateOptions& opti
 }
 
 void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height) {
+    look_from(camera);
     double since = steady_seconds();
     canvas_.draw(width, height, [&] { renderer_.draw(camera, view, width, height); });
     finish_();
     times_.drawing = lap(since);
+}
+
+void LitScene::look_from(const Camera& camera) {
+    if (!frame_.is_glossy()) return;
+    const FrameReport& report = frame_.look(camera.position);
+    times_.synthesis += report.lobe_seconds;
+    double since = steady_seconds();
+    if (report.lobes > 0) renderer_.upload_lobes(frame_.lobes(), frame_.emitted_lobes());
+    times_.upload += lap(since);
+}
+
+LinearPicture LitScene::linear(const Camera& camera, const FrameView& view, int width, int height) {
+    look_from(camera);
+    return renderer_.linear(camera, view, width, height);
 }
 
 Rgb LitScene::indirect_at(int quad, bool front, const Vec3& point) const {

@@ -34,9 +34,7 @@ class LitScene {
     void draw(const Camera& camera, const FrameView& view, int width, int height);
     /// Puts the picture kept over the framebuffer that is bound, from its lower left corner on.
     void show() { canvas_.show(); }
-    LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height) {
-        return renderer_.linear(camera, view, width, height);
-    }
+    LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height);
 
     /// Indirect illuminance [lx] at a point of a surface, as the picture shows it.
     Rgb indirect_at(int quad, bool front, const Vec3& point) const;
@@ -46,6 +44,9 @@ class LitScene {
 
   private:
     class Exact;
+
+    /// Has glossy surfaces show what they send towards the camera.
+    void look_from(const Camera& camera);
 
     std::shared_ptr<const OpenedOperator> opened_;
     Frame frame_;

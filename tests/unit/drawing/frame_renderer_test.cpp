@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/direct_light.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/drawing/camera_rays.h"
+#include "runtime/outgoing/lobe_synthesis.h"
 #include "tests/unit/drawing/drawn_bytes.h"
 #include "tests/unit/drawing/room_with_blocks.h"
 #include "viewer/images/false_colour.h"
@@ -271,6 +274,56 @@ TEST_F(FrameRendererTest, ManyLampsAddUp) {
     const LinearPicture all = lux(room, lamps, 32, 24);
     for (std::size_t p = 0; p < sum.size(); ++p)
         EXPECT_NEAR(all.rgb[p], sum[p], 1e-4f * (1 + sum[p]));
+}
+
+/// A glossy floor under a lamp, drawn, against the BRDF times the illuminance at every pixel.
+TEST_F(FrameRendererTest, HighlightsOfLampsAreExactForEveryLobe) {
+    const Lobe lobes[] = {PhongLobe{Rgb(0.5, 0.4, 0.3), 200}, GgxLobe{Rgb(0.5, 0.4, 0.3), 0.15}};
+    for (const Lobe& lobe : lobes) {
+        GlobalTransport transport;
+        Material glossy;
+        glossy.reflectance = Rgb(0.1, 0.1, 0.2);
+        glossy.lobe = lobe;
+        transport.scene.materials = {glossy};
+        const Quad floor{{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(0, 2, 0)}};
+        transport.scene.quads = {{floor, 0, 0, 0}};
+        Element element;
+        element.geometry = floor;
+        element.space = HaarBasis(floor, CellTree({Split::both}));
+        element.angle = angular_basis(2).tree();
+        transport.space = RadianceSpace({element});
+        PointLight lamp;
+        lamp.position = Vec3(1, 1.6, 0.8);
+        lamp.intensity = Rgb(10, 20, 30);
+        Camera camera;
+        camera.position = Vec3(1, -1.2, 1.5);
+        camera.target = Vec3(1, 1, 0);
+        FrameRenderer renderer(transport, context_->loader());
+        renderer.set_lights({lamp});
+        const LobeSynthesis dark(transport);
+        renderer.upload_lobes(dark.atlas(), dark.atlas());
+        const LinearPicture drawn = renderer.linear(camera, {}, 80, 60);
+        const CameraRays rays(camera, 80, 60);
+        double brightest = 0, dimmest = 1e9;
+        for (int y = 5; y < 55; ++y)
+            for (int x = 5; x < 75; ++x) {
+                if (!renderer.seen_at(x, y)) continue;
+                const Vec3 point = renderer.seen_at(x, y)->position;
+                const Vec3 way = lamp.position - point, in = way.normalized();
+                const Vec3 out = (camera.position - point).normalized();
+                const Rgb exact =
+                    brdf(glossy, in, out) * lamp.intensity * in[2] / way.squaredNorm();
+                for (int c = 0; c < 3; ++c) {
+                    const double shown =
+                        static_cast<double>(drawn.rgb[3 * static_cast<std::size_t>(80 * y + x) +
+                                                      static_cast<std::size_t>(c)]);
+                    EXPECT_NEAR(shown, exact[c], 2e-3 * exact[c]) << x << " " << y;
+                }
+                brightest = std::max(brightest, exact[0]);
+                dimmest = std::min(dimmest, exact[0]);
+            }
+        EXPECT_GT(brightest, 20 * dimmest);
+    }
 }
 
 }  // namespace
