@@ -120,7 +120,7 @@ Settings first_settings(const PrecomputeOptions& options, const Ground& ground) 
 /// or hardly longer than that.
 std::optional<Settings> preview_settings(const PrecomputeOptions& options, const Ground& ground,
                                          const Settings& settings) {
-    constexpr double coarse = 0.3, shortest_worth = 0.15, few_cells = 4000;
+    constexpr double coarse = 0.3, shortest_worth = 0.15, few_cells = 8000;
     const bool by_hand = options.cell_size || options.oracle_tolerance || options.truncation;
     if (!options.preview || by_hand || options.most_attempts == 0 ||
         options.error > shortest_worth || cells_at(ground.elements, settings) < few_cells)

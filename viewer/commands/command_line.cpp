@@ -68,19 +68,32 @@ CLI::App* add_precompute(CLI::App& app, Requests& requests) {
     PrecomputeRequest& request = requests.precompute;
     CLI::App* command =
         app.add_subcommand("precompute", "compute once how light travels in a scene");
-    command
-        ->add_option("SCENE", request.scene,
-                     "scene.toml, .obj, .ply, or a folder with a scene.toml")
-        ->type_name("")
-        ->required();
-    command->add_option("-o,--output", request.output, "the file to write")
-        ->type_name("FILE.gto")
-        ->required();
+    CLI::Option* scene = command
+                             ->add_option("SCENE", request.scene,
+                                          "scene.toml, .obj, .ply, or a folder with a scene.toml")
+                             ->type_name("");
+    CLI::Option* resumed =
+        command
+            ->add_option("--resume", request.resumed,
+                         "a file to go on from, instead of a scene: to its error, or a smaller one")
+            ->type_name("FILE.gto")
+            ->excludes(scene);
+    CLI::Option* output = command
+                              ->add_option("-o,--output", request.output,
+                                           "the file to write; with --resume, that file by default")
+                              ->type_name("FILE.gto");
+    // CLI11 has no "one of these", and its own words would name neither.
+    command->final_callback([scene, resumed, output] {
+        if (scene->empty() && resumed->empty()) throw CLI::RequiredError("SCENE or --resume");
+        if (output->empty() && resumed->empty()) throw CLI::RequiredError("--output");
+    });
     PrecomputeOptions& options = request.options;
-    add_value(
-        *command, "--error", "E",
-        "relative error of the indirect light, over lamps anywhere; 0.05 by default",
-        [&options](const std::string& text) { options.error = error_argument("--error", text); });
+    add_value(*command, "--error", "E",
+              "relative error of the indirect light, over lamps anywhere; 0.05 by default",
+              [&request](const std::string& text) {
+                  request.options.error = error_argument("--error", text);
+                  request.is_error_given = true;
+              });
     add_value(*command, "--oracle", "NAME",
               "how links are refined: geometric (default), or variation, the baseline of the paper",
               [&options](const std::string& text) {

@@ -3,11 +3,12 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "radiance4d/atomic_file.h"
+#include "radiance4d/failure.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/brdf.h"
 #include "solver/radiance_bounce.h"
@@ -15,6 +16,7 @@
 #include "viewer/commands/output.h"
 #include "viewer/commands/precompute_report.h"
 #include "viewer/commands/progress_line.h"
+#include "viewer/commands/resumed_precompute.h"
 #include "viewer/commands/scene_argument.h"
 
 namespace lightwell {
@@ -37,17 +39,6 @@ auto timed(std::map<std::string, double>& seconds, const std::string& stage, con
     };
     const Lap lap{seconds, stage};
     return work();
-}
-
-std::string options_json(const PrecomputeOptions& options) {
-    nlohmann::ordered_json json;
-    json["error"] = options.error;
-    json["oracle"] = options.oracle == OracleKind::geometric ? "geometric" : "variation";
-    if (options.cell_size) json["cell_size"] = *options.cell_size;
-    if (options.oracle_tolerance) json["oracle_tolerance"] = *options.oracle_tolerance;
-    if (options.truncation) json["truncation"] = *options.truncation;
-    json["attempts"] = options.most_attempts;
-    return json.dump();
 }
 
 /// Says which lobes are narrower than their representation can follow at the error asked for.
@@ -83,31 +74,80 @@ GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
     std::optional<ProgressLine> line;
     const Progress progress =
         progress_on(line, request.progress && !request.quiet, share_of_precomputation);
-    GlobalTransport transport = precompute(scene, request.options, progress, report);
-    progress.check();
+    PrecomputeOptions options = request.options;
+    options.preview = true;
+    GlobalTransport transport = precompute(scene, options, progress, report);
+    transport.provenance.program = "lightwell " LIGHTWELL_VERSION;
     return transport;
+}
+
+/// The scene, and what is to be said about it.
+Scene read_scene_of(PrecomputeRequest& request) {
+    if (!request.resumed.empty()) return take_up(request);
+    ReadScene read = read_scene_argument(request.scene, request.above_one);
+    if (!request.quiet)
+        for (const Warning& warning : read.report.warnings)
+            print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
+    return std::move(read.scene);
+}
+
+bool is_reached(const Provenance& provenance, double error) {
+    return provenance.error_estimated > 0 && provenance.error_estimated <= error;
+}
+
+std::string error_text(const Provenance& provenance) {
+    return provenance.error_estimated > 0
+               ? fmt::format("{:.2g} % estimated", 100 * provenance.error_estimated)
+               : std::string("not judged yet");
+}
+
+/// Whether an unfinished operator should take the output's name.
+bool is_worth_keeping(const PrecomputeRequest& request, const Provenance& unfinished) {
+    if (!std::filesystem::exists(request.output)) return true;
+    const auto& earlier = request.options.earlier;
+    return request.output == request.resumed && unfinished.error_estimated > 0 &&
+           (earlier->error_estimated == 0 || unfinished.error_estimated < earlier->error_estimated);
+}
+
+/// Writes what there was when it was interrupted, and says so.
+[[noreturn]] void end_unfinished(const PrecomputeRequest& request,
+                                 const GlobalTransport& transport) {
+    if (!is_worth_keeping(request, transport.provenance))
+        throw Interrupted(fmt::format("stopped on request; {} is as it was", request.output));
+    write_operator_file(request.output, transport, options_json(request.options));
+    throw Interrupted(fmt::format(
+        "stopped on request; {} holds what there was: {:.3g} % asked, {}. precompute --resume {} "
+        "goes on",
+        request.output, 100 * request.options.error, error_text(transport.provenance),
+        request.output));
 }
 
 }  // namespace
 
-void run_precompute(const PrecomputeRequest& request) {
-    require_writable(request.output);
+void run_precompute(PrecomputeRequest request) {
     PrecomputeReport report;
-    const ReadScene read = timed(report.seconds, "reading", [&] {
-        return read_scene_argument(request.scene, request.above_one);
-    });
-    if (!request.quiet)
-        for (const Warning& warning : read.report.warnings)
-            print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
-    warn_of_gloss(read.scene, request.options);
-    if (!request.quiet) warn_of_brightness(read.scene);
+    if (request.resumed.empty()) require_writable(request.output);
+    const Scene scene = timed(report.seconds, "reading", [&] { return read_scene_of(request); });
+    if (request.options.earlier && is_reached(*request.options.earlier, request.options.error)) {
+        if (request.output != request.resumed)
+            write_operator_file(request.output, read_operator_file(request.resumed),
+                                options_json(request.options));
+        if (!request.quiet)
+            print_message(fmt::format("{}: {:.3g} % asked, {}: nothing to do", request.resumed,
+                                      100 * request.options.error,
+                                      error_text(*request.options.earlier)));
+        return;
+    }
+    if (!request.resumed.empty()) require_writable(request.output);
+    warn_of_gloss(scene, request.options);
+    if (!request.quiet) warn_of_brightness(scene);
     if (!request.quiet && request.options.truncation == 0.0)
         print_message(
             "warning: --truncation 0 keeps every coefficient of every bounce: memory and file grow "
             "with the square of the cells, time with their cube");
 
-    GlobalTransport transport = compute(read.scene, request, report);
-    transport.provenance.program = "lightwell " LIGHTWELL_VERSION;
+    const GlobalTransport transport = compute(scene, request, report);
+    if (report.interrupted) end_unfinished(request, transport);
     timed(report.seconds, "writing",
           [&] { write_operator_file(request.output, transport, options_json(request.options)); });
 

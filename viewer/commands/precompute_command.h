@@ -9,9 +9,11 @@ namespace lightwell {
 
 /// What `lightwell precompute` was asked for.
 struct PrecomputeRequest {
-    std::string scene;   ///< a scene file, a geometry file, or a folder with a scene.toml
-    std::string output;  ///< the .gto file to write
+    std::string scene;    ///< a scene file, a geometry file, or a folder with a scene.toml
+    std::string resumed;  ///< a .gto file to go on from, instead of a scene
+    std::string output;   ///< the .gto file to write; by default the one to go on from
     PrecomputeOptions options;
+    bool is_error_given = false;  ///< or the resumed file's is meant
     AlbedoAboveOne above_one = AlbedoAboveOne::refuse;
     bool json = false;     ///< the report as JSON
     bool quiet = false;    ///< no report for people, no warnings, no progress
@@ -19,9 +21,10 @@ struct PrecomputeRequest {
 };
 
 /// Reads a scene, computes its transport and writes it; the report goes to standard output,
-/// warnings and progress to standard error.
-/// @throws as read_scene, precompute and write_operator_file; nothing is left under the output's
-/// name then
-void run_precompute(const PrecomputeRequest& request);
+/// warnings and progress to standard error. Where it is interrupted and has an operator already,
+/// that one is written, unless the output's name is taken by anything that is not worse.
+/// @throws as read_scene, precompute and write_operator_file; else nothing changes under the
+/// output's name then
+void run_precompute(PrecomputeRequest request);
 
 }  // namespace lightwell

@@ -20,9 +20,9 @@ struct StageSpan {
     double begin;
     double end;
 };
-constexpr StageSpan stages[] = {{"elements", 0, 0.02},  {"links", 0.02, 0.35},
-                                {"closure", 0.35, 0.4}, {"operator", 0.4, 0.5},
-                                {"series", 0.5, 0.75},  {"estimate", 0.75, 1}};
+constexpr StageSpan stages[] = {
+    {"elements", 0, 0.02},  {"preview", 0, 0.02},  {"links", 0.02, 0.35}, {"closure", 0.35, 0.4},
+    {"operator", 0.4, 0.5}, {"series", 0.5, 0.75}, {"estimate", 0.75, 1}};
 
 }  // namespace
 
