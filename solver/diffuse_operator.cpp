@@ -121,7 +121,7 @@ double cells_at(const std::vector<Element>& elements, const Settings& settings) 
 }
 
 double memory_for(double cells, double truncation) {
-    constexpr double bytes_a_cell = 9000, bytes_a_pair_of_cells = 120;
+    constexpr double bytes_a_cell = 26000, bytes_a_pair_of_cells = 120;
     return bytes_a_cell * cells + (truncation == 0 ? bytes_a_pair_of_cells * cells * cells : 0);
 }
 

@@ -13,7 +13,8 @@ namespace lightwell {
 /// The finest cells of all elements at given settings.
 double cells_at(const std::vector<Element>& elements, const Settings& settings);
 
-/// Memory [bytes] that the operators of so many cells take to compute, at most; as measured.
+/// Memory [bytes] that the operators of so many cells take to compute, about; without truncation
+/// they are dense.
 double memory_for(double cells, double truncation);
 
 /// The operators of a scene without gloss for given settings: elements, links, direct transport
