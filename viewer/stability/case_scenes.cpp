@@ -45,6 +45,10 @@ Scene office() {
     return room({5, 4, 3}, {0.5, 0.6, 0.65, 0.3, 0.25, 0.8});
 }
 
+Quad level(const Rectangle& r, double z) {
+    return rectangle({r.x0, r.y0, z}, {r.x1 - r.x0, 0, 0}, {0, r.y1 - r.y0, 0});
+}
+
 void add_block(Scene& scene, const Vec3& low, const Vec3& high, double reflectance) {
     for (const Quad& face : faces(low, high))
         add_quad(scene, face.reversed(), reflectance);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "radiance4d/scene/scene.h"
+#include "viewer/stability/closed_forms.h"
 
 namespace lightwell::stability {
 
@@ -26,6 +27,8 @@ Material& add_quad(Scene& scene, const Quad& quad, double reflectance);
 
 /// The rectangle with a corner and two sides.
 Quad rectangle(const Vec3& corner, const Vec3& along, const Vec3& across);
+/// The rectangle in the plane at height z, front upwards.
+Quad level(const Rectangle& r, double z);
 
 /// Adds the faces of a solid block, fronts outwards.
 void add_block(Scene& scene, const Vec3& low, const Vec3& high, double reflectance);

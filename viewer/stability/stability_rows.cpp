@@ -4,6 +4,7 @@
 #include "viewer/stability/energy_rows.h"
 #include "viewer/stability/leak_rows.h"
 #include "viewer/stability/motion_rows.h"
+#include "viewer/stability/shadow_rows.h"
 #include "viewer/stability/shape_rows.h"
 #include "viewer/stability/symmetry_rows.h"
 
