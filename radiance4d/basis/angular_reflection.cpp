@@ -190,7 +190,9 @@ std::uint32_t finest_angular_cell(const CellTree& angle, const Vec3& direction) 
 }
 
 AngularReflection::AngularReflection(const Lobe& lobe, const AngularResolution& resolution) {
-    represent(lobe, 0, resolution.most_levels, resolution.tolerance);
+    const bool none = std::holds_alternative<NoLobe>(lobe);
+    represent(lobe, none ? 0 : resolution.least_levels, resolution.most_levels,
+              resolution.tolerance);
 }
 
 AngularReflection AngularReflection::at_level(const Lobe& lobe, int level) {

@@ -17,6 +17,9 @@ struct AngularResolution {
     double tolerance = 0.4;
     /// Levels of the angular square at most, 1 to 5: 4^5 cells, of about 2 degrees at the normal.
     int most_levels = 5;
+    /// Levels at least, for any lobe; at most `most_levels`. Without directions a lobe would look
+    /// diffuse to the eye, however little that changes the light of others.
+    int least_levels = 0;
 };
 
 /// The angular square [0,1]^2 of directions, cut in four `levels` times; its cells are measured by

@@ -167,6 +167,16 @@ TEST(AngularReflection, OfRoughFacetsNeedsNoDirections) {
     EXPECT_NEAR(rough.matrix()(0, 0), mean_albedo(material)[0], 0.002 * rough.matrix()(0, 0));
 }
 
+// However little that changes the light of others: an eye sees the difference.
+TEST(AngularReflection, HasTheLevelsThatItShallHaveAtLeast) {
+    AngularResolution two;
+    two.tolerance = 0.9;
+    two.least_levels = 2;
+    EXPECT_EQ(AngularReflection(ggx(1), two).level(), 2);
+    EXPECT_EQ(AngularReflection(phong(1), two).level(), 2);
+    EXPECT_EQ(AngularReflection(Lobe(NoLobe{}), two).level(), 0);
+}
+
 TEST(AngularReflection, OfNoLobeReflectsNothing) {
     const AngularReflection none{Lobe(NoLobe{})};
     EXPECT_EQ(none.level(), 0);

@@ -1,0 +1,179 @@
+// Where does the method end? Error and cost of a closed room with a glossy floor and a block on it
+// against the Phong exponent of the floor, through the whole pipeline at one error asked for.
+//
+// The error is that of indirect radiance over the floor at three eye points against the path
+// tracer, whose noise is taken off: gathered, as `measure --probes` and `render` show it, and read
+// from the basis.
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "radiance4d/operator/smooth_irradiance.h"
+#include "solver/precompute.h"
+#include "solver/radiance_bounce.h"
+#include "solver/reference/radiance_tracer.h"
+#include "tests/bench/counted_runs.h"
+#include "tests/unit/reference/rooms.h"
+#include "viewer/commands/lit_scene.h"
+#include "viewer/commands/measure_command.h"
+
+namespace lightwell {
+namespace {
+
+constexpr double error_asked = 0.05;
+
+/// All emission is by one lamp.
+Scene room_with_floor(const Lobe& lobe) {
+    std::array<Rgb, 6> rho;
+    rho.fill(Rgb::Constant(0.5));
+    rho[x0] = Rgb(0.63, 0.06, 0.05);
+    rho[x1] = Rgb(0.14, 0.45, 0.09);
+    rho[floor_z0] = Rgb::Constant(0.1);
+    Scene scene = box_scene({3, 2, 2.5}, rho);
+    add_block(scene, {0.75, 0.8, 0.0}, {1.5, 1.4, 1.0}, Rgb(0.2, 0.3, 0.7));
+    for (Material& material : scene.materials)
+        material.reflecting = Sides::front;
+    scene.materials[floor_z0].lobe = lobe;
+    scene.lights = {lamp_at({2.3, 1.0, 1.8})};
+    return scene;
+}
+
+/// Where eyes look at the floor, and which points of it they see.
+std::vector<RadianceProbe> probes_of(const Visibility& visibility) {
+    std::vector<RadianceProbe> probes;
+    for (const Vec3& eye : {Vec3(0.3, 1.0, 1.6), Vec3(2.7, 0.3, 1.2), Vec3(1.5, 1.8, 2.2)})
+        for (int i = 0; i < 16; ++i)
+            for (int j = 0; j < 12; ++j) {
+                const Vec3 at((i + 0.37) / 16 * 3, (j + 0.41) / 12 * 2, 0);
+                const RadianceProbe probe{eye, (at - eye).normalized()};
+                if (visibility.nearest(eye, free_point, probe.direction).quad == floor_z0)
+                    probes.push_back(probe);
+            }
+    return probes;
+}
+
+/// Relative root mean square error of all colours together.
+double deviation(const std::vector<Rgb>& seen, const LightSurvey& survey) {
+    double off = 0, squares = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        off += (seen[k] - survey.at[k].mean).square().sum() -
+               survey.at[k].standard_error.square().sum();
+        squares += survey.at[k].mean.square().sum();
+    }
+    return std::sqrt(std::max(0.0, off) / squares);
+}
+
+struct Errors {
+    double gathered = 0, basis = 0;
+};
+
+Errors errors_of(const OpenedOperator& opened) {
+    const Scene& scene = opened.transport.scene;
+    const LitScene lit(opened, scene.lights);
+    const FinalGather gather = lit.gather(gather_strata(error_asked));
+    const std::vector<SmoothSurface> surfaces =
+        smooth_irradiance(opened.transport.space, lit.lighting().indirect);
+    const std::vector<RadianceProbe> probes = probes_of(opened.visibility);
+    std::vector<Rgb> gathered(probes.size()), read(probes.size());
+    tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t k) {
+        const auto look = [&](const FinalGather* by) {
+            return seen_light(opened, lit, scene.lights, surfaces, by, probes[k].position,
+                              probes[k].direction)
+                .indirect;
+        };
+        gathered[k] = look(&gather);
+        read[k] = look(nullptr);
+    });
+    PathTracing how;
+    how.samples = 2048;
+    const LightSurvey survey =
+        RadianceTracer(scene, opened.visibility, scene.lights).indirect(probes, how);
+    return {deviation(gathered, survey), deviation(read, survey)};
+}
+
+/// What the room comes to, exponent by exponent.
+struct Findings {
+    Series gathered{"gathered", {}}, basis{"read from the basis", {}},
+        lobe{"lobe itself in its directions", {}};
+    Series functions{"functions", {}}, links{"links", {}}, bounce{"coefficients of one bounce", {}},
+        global{"coefficients of all bounces", {}}, milliseconds{"milliseconds", {}};
+};
+
+void run(benchmark::State& state, double exponent, Findings& findings) {
+    const Scene scene = room_with_floor(PhongLobe{Rgb::Constant(0.7), exponent});
+    PrecomputeOptions options;
+    options.error = error_asked;
+    options.most_attempts = 0;
+    PrecomputeReport report;
+    GlobalTransport transport;
+    for (auto _ : state)
+        transport = precompute(scene, options, {}, report);
+    std::uint64_t global = 0;
+    for (const TransportOperator& one : transport.indirect)
+        global += one.coefficients();
+    const std::uint64_t bounce = transport.bounce.coefficients();
+    const std::uint64_t links = transport.provenance.links;
+    const AngularNeed need = angular_needs(scene, angular_resolution(error_asked)).front();
+    const Errors errors = errors_of(opened(std::move(transport)));
+
+    const auto note = [&](Series& series, const std::string& name, double value) {
+        state.counters[name] = value;
+        if (value > 0) series.points.emplace_back(exponent, value);
+    };
+    state.counters["level"] = need.level;
+    state.counters["follows"] = need.follows ? 1 : 0;
+    note(findings.lobe, "lobe_error_%", 100 * need.error);
+    note(findings.gathered, "gathered_%", 100 * errors.gathered);
+    note(findings.basis, "basis_%", 100 * errors.basis);
+    note(findings.functions, "functions", static_cast<double>(report.cells));
+    note(findings.links, "links", static_cast<double>(links));
+    note(findings.bounce, "T_coefficients", static_cast<double>(bounce));
+    note(findings.global, "G_coefficients", static_cast<double>(global));
+    note(findings.milliseconds, "ms", 1000 * report.seconds.at("total"));
+}
+
+/// How a count grows with the exponent between 5 and 50.
+void print_growth(const Series& series) {
+    std::vector<std::pair<double, double>> between;
+    for (const auto& point : series.points)
+        if (point.first >= 5 && point.first <= 50) between.push_back(point);
+    if (between.size() >= 2)
+        std::cout << fmt::format("  {:<28} n^{:.2f}\n", series.name,
+                                 fitted_power(between).exponent);
+}
+
+}  // namespace
+}  // namespace lightwell
+
+int main(int argc, char** argv) {
+    using namespace lightwell;
+    Findings findings;
+    for (const int exponent : {1, 2, 5, 10, 20, 30, 50, 100, 200})
+        benchmark::RegisterBenchmark(
+            fmt::format("phong/{}", exponent).c_str(),
+            [exponent, &findings](benchmark::State& state) { run(state, exponent, findings); })
+            ->Iterations(1)
+            ->Unit(benchmark::kSecond)
+            ->UseRealTime();
+    return run_and_count(argc, argv, [&findings] {
+        std::cout << "\ngrowth over exponents 5 to 50, by least squares of the logarithms:\n";
+        for (const Series* series :
+             {&findings.functions, &findings.links, &findings.bounce, &findings.global})
+            print_growth(*series);
+        write_chart("glossy-error", {"Glossy floor at 5 %: error against the Phong exponent",
+                                     "Phong exponent",
+                                     "relative error [%]",
+                                     {findings.gathered, findings.basis, findings.lobe}});
+        write_chart("glossy-cost", {"Glossy floor at 5 %: cost against the Phong exponent",
+                                    "Phong exponent",
+                                    "count, and milliseconds",
+                                    {findings.functions, findings.links, findings.bounce,
+                                     findings.global, findings.milliseconds}});
+    });
+}
