@@ -7,7 +7,7 @@
 
 #include "radiance4d/scene/brdf.h"
 #include "solver/diffuse_operator.h"
-#include "solver/glossy_precompute.h"
+#include "solver/glossy_operator.h"
 #include "solver/ground.h"
 #include "solver/reference/error_estimate.h"
 #include "solver/settings.h"
@@ -21,7 +21,7 @@ namespace {
 int judged_points(const Scene& scene) {
     double albedo = 0;
     for (const Material& material : scene.materials)
-        albedo = std::max(albedo, material.reflectance.maxCoeff());
+        albedo = std::max(albedo, mean_albedo(material).maxCoeff());
     return std::clamp(static_cast<int>(1000 * (1 - albedo)), 24, 200);
 }
 
@@ -41,12 +41,19 @@ double missed_by(const ErrorEstimate& estimate, double error) {
     return std::max(estimate.rms() / (0.9 * error), estimate.ninth_of_ten() / (1.15 * error));
 }
 
+/// How an operator is computed: diffuse_operator or glossy_operator.
+using OperatorOf = GlobalTransport (*)(const Ground&, const PrecomputeOptions&, const Settings&,
+                                       const Progress&, OracleCost&, StageClock&,
+                                       PrecomputeReport&);
+
 /// Operators of one scene, each tighter than the last, and the verdict on the last.
 class Attempts {
   public:
-    Attempts(const Ground& ground, const PrecomputeOptions& options, const Progress& progress,
-             OracleCost& cost, StageClock& clock, PrecomputeReport& report)
-        : ground_(ground),
+    Attempts(OperatorOf operator_of, const Ground& ground, const PrecomputeOptions& options,
+             const Progress& progress, OracleCost& cost, StageClock& clock,
+             PrecomputeReport& report)
+        : operator_of_(operator_of),
+          ground_(ground),
           options_(options),
           progress_(progress),
           cost_(cost),
@@ -56,7 +63,7 @@ class Attempts {
     /// Builds one, judges it if any are judged, and says by how much it missed its error.
     double build_and_judge(const Settings& settings, const Progress& told) {
         GlobalTransport built =
-            diffuse_operator(ground_, options_, settings, told, cost_, clock_, report_);
+            operator_of_(ground_, options_, settings, told, cost_, clock_, report_);
         last_ = std::move(built);
         estimate_ = {};
         note(settings);
@@ -95,6 +102,7 @@ class Attempts {
         provenance.rays = cost_.rays;
     }
 
+    OperatorOf operator_of_;
     const Ground& ground_;
     const PrecomputeOptions& options_;
     const Progress& progress_;
@@ -155,9 +163,17 @@ void attempt(Attempts& attempts, const Ground& ground, const PrecomputeOptions& 
     }
 }
 
-/// The pipeline, of a scene without gloss.
-GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& options,
-                                   const Progress& progress, PrecomputeReport& report) {
+/// Attempts at a scene with gloss: one. Where its basis is too coarse for the error asked for,
+/// tighter settings cost several times as much and gain little; the verdict says so.
+void attempt_glossy(Attempts& attempts, const Ground& ground, const PrecomputeOptions& options,
+                    const Progress& progress, PrecomputeReport& report) {
+    report.attempts = 1;
+    attempts.build_and_judge(glossy_settings(options, ground), progress);
+}
+
+/// The pipeline, of a scene with gloss or without.
+GlobalTransport precompute_alike(const Scene& scene, bool glossy, const PrecomputeOptions& options,
+                                 const Progress& progress, PrecomputeReport& report) {
     StageClock clock(report.seconds);
     OracleCost cost;
     // 1. Elements: sides that can see something, and what they see.
@@ -165,9 +181,10 @@ GlobalTransport precompute_diffuse(const Scene& scene, const PrecomputeOptions& 
     report.inside_of_solids = ground.inside_of_solids;
     clock.lap("elements");
 
-    Attempts attempts(ground, options, progress, cost, clock, report);
+    Attempts attempts(glossy ? glossy_operator : diffuse_operator, ground, options, progress, cost,
+                      clock, report);
     try {
-        attempt(attempts, ground, options, progress, report);
+        (glossy ? attempt_glossy : attempt)(attempts, ground, options, progress, report);
     } catch (const Interrupted&) {
         if (attempts.last() == nullptr) throw;
         report.interrupted = true;
@@ -181,11 +198,15 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
                            const Progress& progress, PrecomputeReport& report) {
     const bool glossy =
         std::any_of(scene.materials.begin(), scene.materials.end(), is_glossy) && !options.diffuse;
-    if (glossy) return precompute_glossy(scene, options, progress, report);
+    if (glossy) {
+        PrecomputeOptions by_directions = options;
+        by_directions.oracle = OracleKind::geometric;
+        return precompute_alike(scene, true, by_directions, progress, report);
+    }
     Scene diffuse = scene;
     std::transform(scene.materials.begin(), scene.materials.end(), diffuse.materials.begin(),
                    diffuse_of_equal_albedo);
-    GlobalTransport transport = precompute_diffuse(diffuse, options, progress, report);
+    GlobalTransport transport = precompute_alike(diffuse, false, options, progress, report);
     transport.scene = scene;
     return transport;
 }

@@ -37,6 +37,7 @@ GlobalTransport computed(const Scene& scene, double cell_size = 0.7) {
     PrecomputeOptions options;
     options.error = 0.1;
     options.cell_size = cell_size;
+    options.most_attempts = 0;
     PrecomputeReport report;
     return precompute(scene, options, {}, report);
 }
@@ -156,6 +157,24 @@ TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
     };
     EXPECT_LT(error_of(seen), 0.1);
     EXPECT_LT(error_of(seen_stored), 0.1);
+}
+
+// What was reached stands in the operator, be it what was asked for or not.
+TEST(GlossyEstimate, SaysHowFarTheBasisIsOff) {
+    const Scene scene = room_with_floor(phong(20), 0.1);
+    PrecomputeOptions options;
+    options.error = 0.05;
+    PrecomputeReport report;
+    const auto estimated = [&](double cell_size) {
+        options.cell_size = cell_size;
+        return precompute(scene, options, {}, report).provenance.error_estimated;
+    };
+    const double fine = estimated(0.4), coarse = estimated(1.6);
+    EXPECT_EQ(report.attempts, 1);
+    EXPECT_GT(report.estimate_rays, 0);
+    EXPECT_GT(fine, 0.02);
+    EXPECT_LT(fine, 0.2);
+    EXPECT_GT(coarse, 1.5 * fine);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lobes, GlossyPipeline,

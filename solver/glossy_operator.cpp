@@ -1,33 +1,14 @@
-#include "solver/glossy_precompute.h"
+#include "solver/glossy_operator.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "solver/ground.h"
 #include "solver/radiance_bounce.h"
-#include "solver/reference/error_estimate.h"
 #include "solver/series/directed_series.h"
 #include "solver/series/light_ensemble.h"
-#include "solver/settings.h"
-#include "solver/stage_clock.h"
 
 namespace lightwell {
 
 namespace {
-
-/// Settings for surfaces whose light has directions: cells twice as wide as on diffuse ones, since
-/// the light that one sees in a glossy surface varies with the place by way of its direction, and a
-/// truncation that stays above the noise of the rays that sampled the directions.
-Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
-    Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    constexpr double wider = 2, looser = 2;
-    if (!options.cell_size) settings.cell_size *= wider;
-    if (!options.truncation) settings.truncation *= looser;
-    return settings;
-}
 
 /// Direct light of white unit lamps.
 TrialLights projected(const RadianceSpace& space, const Ground& ground,
@@ -50,10 +31,20 @@ RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Set
     return result;
 }
 
-/// The operators for given settings.
-GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
-                      const Settings& settings, const Progress& progress, OracleCost& cost,
-                      StageClock& clock, PrecomputeReport& report) {
+}  // namespace
+
+Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
+    Settings settings = settings_for(options, ground.distance, ground.elements.size());
+    constexpr double wider = 2, looser = 2;
+    if (!options.cell_size) settings.cell_size *= wider;
+    if (!options.truncation) settings.truncation *= looser;
+    return settings;
+}
+
+GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& options,
+                                const Settings& settings, const Progress& progress,
+                                OracleCost& cost, StageClock& clock, PrecomputeReport& report) {
+    report.blind_sides = ground.blind_sides;
     OracleCost links_cost;
     DirectedBounce bounce =
         directed_bounce(ground, bounce_options(options, settings), progress, links_cost);
@@ -87,31 +78,6 @@ GlobalTransport build(const Ground& ground, const PrecomputeOptions& options,
     report.elements = transport.space.elements().size();
     report.cells = transport.space.functions();
     transport.provenance.links = bounce.links + bounce.directed_links;
-    return transport;
-}
-
-}  // namespace
-
-GlobalTransport precompute_glossy(const Scene& scene, const PrecomputeOptions& options,
-                                  const Progress& progress, PrecomputeReport& report) {
-    StageClock clock(report.seconds);
-    OracleCost cost;
-    const Ground ground(scene, cost);
-    report.inside_of_solids = ground.inside_of_solids;
-    report.blind_sides = ground.blind_sides;
-    clock.lap("elements");
-    const Settings settings = glossy_settings(options, ground);
-    report.attempts = 1;
-    GlobalTransport transport = build(ground, options, settings, progress, cost, clock, report);
-
-    Provenance& provenance = transport.provenance;
-    provenance.program = "lightwell";
-    provenance.oracle = "geometric";
-    provenance.error_asked = options.error;
-    provenance.cell_size = settings.cell_size;
-    provenance.oracle_tolerance = settings.oracle_tolerance;
-    provenance.truncation = settings.truncation;
-    provenance.rays = cost.rays;
     return transport;
 }
 
