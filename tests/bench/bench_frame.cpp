@@ -1,19 +1,24 @@
 // What a frame with one moved lamp costs, stage by stage, on scenes computed to 5 %.
 //
 // The scenes are precomputed here, which takes a minute or two, unless LIGHTWELL_BENCH_OPERATORS
-// names a folder that holds cornell-box.gto, maze.gto and office.gto.
+// names a folder that holds NAME.gto of each.
 
-#include <cstdlib>
-#include <filesystem>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include <GL/glcorearb.h>
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include "radiance4d/operator/light_projection.h"
-#include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/drawing/frame_renderer.h"
 #include "runtime/drawing/gl_objects.h"
@@ -22,8 +27,7 @@
 #include "runtime/projection/occlusion_query_projection.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/incremental_update.h"
-#include "solver/precompute.h"
-#include "solver/reading/scene_reader.h"
+#include "tests/bench/bench_scenes.h"
 #include "tests/bench/counted_runs.h"
 #include "viewer/offscreen/gl_context.h"
 
@@ -31,70 +35,84 @@ namespace lightwell {
 
 namespace {
 
-struct LitScene {
-    GlobalTransport transport;
-    std::vector<Quad> quads;
-    OccluderTree occluders;
+const std::vector<std::string> names = {"cornell-box", "maze", "office", "glossy"};
 
-    /// The scene's first lamp, moved by so many centimetres.
-    std::vector<Light> lamp(int centimetres) const {
-        Light light = transport.scene.lights.at(0);
-        std::visit([&](auto& any) { any.position[0] += 0.01 * centimetres; }, light);
-        return {light};
-    }
-    PackedField direct(int centimetres) const {
-        return packed(projected_lights(transport.space, lamp(centimetres), quads, occluders));
-    }
-};
-
-GlobalTransport operator_of(const std::string& name) {
-    if (const char* folder = std::getenv("LIGHTWELL_BENCH_OPERATORS")) {
-        const std::string file = std::string(folder) + "/" + name + ".gto";
-        if (std::filesystem::exists(file)) return read_operator_file(file);
-    }
-    PrecomputeReport report;
-    return precompute(read_scene(LIGHTWELL_SCENES "/" + name + "/scene.toml").scene, {}, {},
-                      report);
+PackedField direct_light(const BenchScene& scene, int centimetres) {
+    return packed(projected_lights(scene.transport.space, scene.lamp(centimetres), scene.quads,
+                                   scene.occluders));
 }
 
-const LitScene& lit_scene(const std::string& name) {
-    static std::map<std::string, LitScene> made;
-    const auto found = made.find(name);
-    if (found != made.end()) return found->second;
-    GlobalTransport transport = operator_of(name);
-    std::vector<Quad> quads;
-    for (const SceneQuad& quad : transport.scene.quads)
-        quads.push_back(quad.quad);
-    OccluderTree occluders(quads);
-    return made.emplace(name, LitScene{std::move(transport), std::move(quads), occluders})
-        .first->second;
+double median(std::vector<double> all) {
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
 }
 
-const std::vector<std::string> names = {"cornell-box", "maze", "office"};
+/// Bytes a second at which this machine reads memory that no cache holds, with all its threads.
+double memory_bandwidth() {
+    static const double bandwidth = [] {
+        const std::vector<double> field(std::size_t{1} << 25, 1.0);  // 256 MiB
+        std::vector<double> seconds;
+        for (int k = 0; k < 5; ++k) {
+            const double start = steady_seconds();
+            const double sum = tbb::parallel_reduce(
+                tbb::blocked_range<std::size_t>(0, field.size(), std::size_t{1} << 16), 0.0,
+                [&](const tbb::blocked_range<std::size_t>& range, double part) {
+                    std::array<double, 8> lanes = {};
+                    for (std::size_t i = range.begin(); i < range.end(); i += lanes.size())
+                        for (std::size_t l = 0; l < lanes.size(); ++l)
+                            lanes[l] += field[i + l];
+                    return std::accumulate(lanes.begin(), lanes.end(), part);
+                },
+                std::plus<>());
+            benchmark::DoNotOptimize(sum);
+            seconds.push_back(steady_seconds() - start);
+        }
+        return static_cast<double>(field.size() * sizeof(double)) / median(seconds);
+    }();
+    return bandwidth;
+}
 
-// The product H E alone. "bytes" is what the coefficients take, and the rate what that comes to.
+/// The share of H's coefficients that stand in these columns.
+double share_of(const GlobalTransport& transport, const std::vector<std::uint32_t>& columns) {
+    double read = 0, all = 0;
+    for (const TransportOperator& channel : transport.indirect) {
+        all += static_cast<double>(channel.row.size());
+        for (const std::uint32_t j : columns)
+            read += static_cast<double>(channel.column_start[j + 1] - channel.column_start[j]);
+    }
+    return read / all;
+}
+
+// The product H E alone: its median in ms, and the bytes of coefficients that it reads, as a share
+// of what this machine's memory could give in that time. More than 1 is the work of the cache.
 void propagation(benchmark::State& state, const std::string& name, ValueFormat format) {
-    const LitScene& scene = lit_scene(name);
+    const BenchScene& scene = bench_scene(name);
     const GlobalPropagation held(scene.transport, format);
-    const PackedField direct = scene.direct(0);
+    const PackedField direct = direct_light(scene, 0);
     PackedField indirect = PackedField::Zero(4, direct.cols());
     std::vector<std::uint32_t> columns;
+    std::vector<double> seconds;
     for (auto _ : state) {
+        const double start = steady_seconds();
         held.collect(direct, columns);
         indirect.setZero();
         held.add(columns, direct, indirect);
         benchmark::DoNotOptimize(indirect.data());
+        seconds.push_back(steady_seconds() - start);
     }
+    const double bytes = share_of(scene.transport, columns) * static_cast<double>(held.bytes());
     state.counters["columns"] = static_cast<double>(columns.size());
     state.counters["coefficients"] = static_cast<double>(held.coefficients());
-    state.counters["bytes"] = static_cast<double>(held.bytes());
-    state.SetBytesProcessed(static_cast<std::int64_t>(held.bytes()) * state.iterations());
+    state.counters["bytes read"] = bytes;
+    state.counters["median ms"] = 1e3 * median(seconds);
+    state.counters["of memory's rate"] = bytes / median(seconds) / memory_bandwidth();
 }
 
 // The same by the operators as the file has them, a channel at a time.
 void plain_product(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
-    const RadianceField direct = unpacked(scene.direct(0));
+    const BenchScene& scene = bench_scene(name);
+    const RadianceField direct = unpacked(direct_light(scene, 0));
     for (auto _ : state) {
         const RadianceField light = global_light(scene.transport, direct);
         benchmark::DoNotOptimize(light.data());
@@ -103,11 +121,11 @@ void plain_product(benchmark::State& state, const std::string& name) {
 
 // A lamp that moves a centimetre a frame, to and fro, updated within a budget (0: none).
 void update(benchmark::State& state, const std::string& name, UpdateMode mode) {
-    const LitScene& scene = lit_scene(name);
+    const BenchScene& scene = bench_scene(name);
     const GlobalPropagation held(scene.transport);
     std::vector<PackedField> path;
     for (int frame = 0; frame < 8; ++frame)
-        path.push_back(scene.direct(frame));
+        path.push_back(direct_light(scene, frame));
     IncrementalUpdate updated(scene.transport.space, held);
     UpdateOptions options;
     options.mode = mode;
@@ -122,7 +140,7 @@ void update(benchmark::State& state, const std::string& name, UpdateMode mode) {
 
 // The lamp on the basis, moving.
 void shadow_projection(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
+    const BenchScene& scene = bench_scene(name);
     ShadowProjection projection(scene.transport.space, scene.quads, scene.occluders);
     PackedField direct = PackedField::Zero(4, scene.transport.space.functions());
     int frame = 0;
@@ -135,7 +153,7 @@ void shadow_projection(benchmark::State& state, const std::string& name) {
 
 // By occlusion queries, drawn by the processor (OSMesa).
 void occlusion_query_projection(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
+    const BenchScene& scene = bench_scene(name);
     const std::unique_ptr<GlContext> context = make_offscreen_context();
     OcclusionQueryOptions options;
     options.side = static_cast<int>(state.range(0));
@@ -149,17 +167,17 @@ void occlusion_query_projection(benchmark::State& state, const std::string& name
 }
 
 void exact_projection(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
+    const BenchScene& scene = bench_scene(name);
     int frame = 0;
     for (auto _ : state) {
-        const PackedField direct = scene.direct(frame++ % 20);
+        const PackedField direct = direct_light(scene, frame++ % 20);
         benchmark::DoNotOptimize(direct.data());
     }
 }
 
 // What a single ray to the middle of every cell that faces the lamp costs, on one thread.
 void ray_per_cell(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
+    const BenchScene& scene = bench_scene(name);
     const Visibility visibility(scene.quads);
     const Vec3 lamp = position_of(scene.lamp(0)[0]);
     std::vector<std::pair<Vec3, int>> middles;
@@ -175,27 +193,53 @@ void ray_per_cell(benchmark::State& state, const std::string& name) {
     state.counters["rays"] = static_cast<double>(middles.size());
 }
 
-// All that a moved lamp costs before drawing; the stages' shares as counters, mean milliseconds.
-void whole_frame(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
+constexpr const char* all_but_drawing = "all before drawing";
+/// Median seconds by scene and stage.
+using FrameSeconds = std::map<std::string, std::map<std::string, double>>;
+
+// All that a moved lamp costs before drawing: medians of the stages and of their sum.
+void whole_frame(benchmark::State& state, const std::string& name, FrameSeconds& known) {
+    const BenchScene& scene = bench_scene(name);
     Frame frame(scene.transport, std::make_unique<ShadowProjection>(scene.transport.space,
                                                                     scene.quads, scene.occluders));
-    double projection = 0, propagated = 0, synthesis = 0;
+    const Vec3 eye = scene.transport.scene.camera.value_or(Camera()).position;
+    std::vector<double> projection, propagated, synthesis, all;
     int step = 0;
     for (auto _ : state) {
-        const FrameReport& report = frame.light(scene.lamp(step++ % 20));
-        projection += report.projection_seconds;
-        propagated += report.propagation_seconds;
-        synthesis += report.synthesis_seconds;
+        FrameReport report = frame.light(scene.lamp(step++ % 20));
+        if (frame.is_glossy()) report = frame.look(eye);
+        projection.push_back(report.projection_seconds);
+        propagated.push_back(report.propagation_seconds);
+        synthesis.push_back(report.synthesis_seconds + report.lobe_seconds);
+        all.push_back(projection.back() + propagated.back() + synthesis.back());
     }
-    const auto mean = [&](double seconds) {
-        return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations);
-    };
-    state.counters["projection"] = mean(projection);
-    state.counters["propagation"] = mean(propagated);
-    state.counters["synthesis"] = mean(synthesis);
+    known[name].insert({{"projection", median(projection)},
+                        {"GTO", median(propagated)},
+                        {"BRDF and synthesis", median(synthesis)},
+                        {all_but_drawing, median(all)}});
+    state.counters["projection ms"] = 1e3 * median(projection);
+    state.counters["GTO ms"] = 1e3 * median(propagated);
+    state.counters["synthesis ms"] = 1e3 * median(synthesis);
+    state.counters["all ms"] = 1e3 * median(all);
     state.counters["texels"] = static_cast<double>(frame.textures().size().columns) *
                                static_cast<double>(frame.textures().size().rows);
+}
+
+/// What a moved lamp costs against solving anew, as RenderPark does in 0.14 s at an error of 1.6 %
+/// for a Cornell box.
+void print_break_even(const FrameSeconds& known) {
+    constexpr double solving_anew = 0.14;
+    const auto found = known.find("cornell-box");
+    if (found == known.end() || found->second.count(all_but_drawing) == 0) return;
+    const double frame = found->second.at(all_but_drawing);
+    fmt::print(
+        "a moved lamp in the Cornell box: {:.2f} ms, {:.0f} times less than solving anew "
+        "by RenderPark ({:.2f} s)\n",
+        1e3 * frame, solving_anew / frame, solving_anew);
+    const double precomputed = precompute_seconds("cornell-box");
+    if (precomputed > 0)
+        fmt::print("the precomputation of {:.1f} s has paid after {:.0f} moves\n", precomputed,
+                   std::ceil(precomputed / (solving_anew - frame)));
 }
 
 /// An image for frames, bound while it lives.
@@ -220,8 +264,8 @@ class FrameTarget {
 
 // A frame from a moved lamp to the pixels, drawn by the processor (OSMesa), 960 x 720 unless the
 // argument, a percentage of that along a side, says otherwise.
-void drawn_frame(benchmark::State& state, const std::string& name) {
-    const LitScene& scene = lit_scene(name);
+void drawn_frame(benchmark::State& state, const std::string& name, FrameSeconds& known) {
+    const BenchScene& scene = bench_scene(name);
     const std::unique_ptr<GlContext> context = make_offscreen_context();
     const GlFunctions gl(context->loader());
     const int width = static_cast<int>(960 * state.range(0) / 100);
@@ -233,31 +277,59 @@ void drawn_frame(benchmark::State& state, const std::string& name) {
     const Camera camera = scene.transport.scene.camera.value_or(Camera());
     // The first frame compiles shaders.
     renderer.set_lights(scene.lamp(0));
+    if (frame.is_glossy()) {
+        frame.look(camera.position);
+        renderer.upload_lobes(frame.lobes(), frame.emitted_lobes());
+    }
     renderer.draw(camera, {}, width, height);
-    double maps = 0, upload = 0, drawing = 0;
-    const auto timed = [&](double& sum, const auto& work) {
+    std::vector<double> maps, upload, drawing, all;
+    const auto timed = [&](std::vector<double>& seconds, const auto& work) {
         const double start = steady_seconds();
         work();
         gl.finish();
-        sum += steady_seconds() - start;
+        seconds.push_back(steady_seconds() - start);
     };
     int step = 0;
     for (auto _ : state) {
         const std::vector<Light> lamps = scene.lamp(step++ % 20);
+        const double start = steady_seconds();
         frame.light(lamps);
+        if (frame.is_glossy()) frame.look(camera.position);
         timed(maps, [&] { renderer.set_lights(lamps); });
-        timed(upload, [&] { renderer.upload(frame.textures()); });
+        timed(upload, [&] {
+            renderer.upload(frame.textures());
+            if (frame.is_glossy()) renderer.upload_lobes(frame.lobes(), frame.emitted_lobes());
+        });
         timed(drawing, [&] { renderer.draw(camera, {}, width, height); });
+        all.push_back(steady_seconds() - start);
     }
-    const auto mean = [&](double seconds) {
-        return benchmark::Counter(1e3 * seconds, benchmark::Counter::kAvgIterations);
-    };
-    state.counters["maps"] = mean(maps);
-    state.counters["upload"] = mean(upload);
-    state.counters["drawing"] = mean(drawing);
+    state.counters["maps ms"] = 1e3 * median(maps);
+    state.counters["upload ms"] = 1e3 * median(upload);
+    state.counters["drawing ms"] = 1e3 * median(drawing);
+    state.counters["all ms"] = 1e3 * median(all);
+    if (state.range(0) == 100)
+        known[name].insert({{"shadow maps", median(maps)},
+                            {"upload", median(upload)},
+                            {"drawing", median(drawing)}});
 }
 
-void register_all() {
+/// The stages' medians of all scenes, by their size.
+void chart_stages(const FrameSeconds& known) {
+    Chart chart{"One frame with a moved lamp", "cells of the scene", "median of a stage (ms)", {}};
+    std::map<std::string, Series> by_stage;
+    for (const auto& [name, stages] : known)
+        for (const auto& [stage, seconds] : stages)
+            by_stage[stage].points.emplace_back(bench_scene(name).transport.space.functions(),
+                                                1e3 * seconds);
+    for (auto& [stage, series] : by_stage) {
+        std::sort(series.points.begin(), series.points.end());
+        series.name = stage;
+        chart.series.push_back(series);
+    }
+    if (!chart.series.empty()) write_chart("frame", chart);
+}
+
+void register_all(FrameSeconds& known) {
     const auto in_ms = [](benchmark::internal::Benchmark* bench) {
         return bench->Unit(benchmark::kMillisecond)->UseRealTime();
     };
@@ -270,10 +342,10 @@ void register_all() {
             [name](benchmark::State& state) { plain_product(state, name); }));
         in_ms(benchmark::RegisterBenchmark(
             named("Frame", name).c_str(),
-            [name](benchmark::State& state) { whole_frame(state, name); }));
+            [name, &known](benchmark::State& state) { whole_frame(state, name, known); }));
         in_ms(benchmark::RegisterBenchmark(
                   named("DrawnFrame", name).c_str(),
-                  [name](benchmark::State& state) { drawn_frame(state, name); }))
+                  [name, &known](benchmark::State& state) { drawn_frame(state, name, known); }))
             ->Arg(50)
             ->Arg(100);
         in_ms(benchmark::RegisterBenchmark(
@@ -318,6 +390,10 @@ void register_all() {
 }  // namespace lightwell
 
 int main(int argc, char** argv) {
-    lightwell::register_all();
-    return lightwell::run_and_count(argc, argv);
+    lightwell::FrameSeconds known;
+    lightwell::register_all(known);
+    return lightwell::run_and_count(argc, argv, [&known] {
+        lightwell::print_break_even(known);
+        lightwell::chart_stages(known);
+    });
 }
