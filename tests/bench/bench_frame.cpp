@@ -347,7 +347,8 @@ void register_all(FrameSeconds& known) {
                   named("DrawnFrame", name).c_str(),
                   [name, &known](benchmark::State& state) { drawn_frame(state, name, known); }))
             ->Arg(50)
-            ->Arg(100);
+            ->Arg(100)
+            ->Iterations(15);
         in_ms(benchmark::RegisterBenchmark(
             named("ShadowProjection", name).c_str(),
             [name](benchmark::State& state) { shadow_projection(state, name); }));

@@ -137,6 +137,24 @@ TEST_F(RenderedCornellBox, LivePicturesAreThoseDrawnPointByPoint) {
         1);
 }
 
+TEST_F(RenderedCornellBox, LampsAreProjectedInTheWayAskedFor) {
+    const Image rays = rendered({"--view", "indirect", "--live", "--projection", "rays"}).image;
+    const Image queries =
+        rendered({"--view", "indirect", "--live", "--projection", "queries"}).image;
+    double off = 0, whole = 0;
+    for (std::size_t k = 0; k < rays.pixels().size(); ++k) {
+        off += static_cast<double>((rays.pixels()[k] - queries.pixels()[k]).abs().sum());
+        whole += static_cast<double>(rays.pixels()[k].sum());
+    }
+    // Two ways that agree, and never to the last bit.
+    EXPECT_GT(off, 0);
+    EXPECT_LT(off, 0.005 * whole);
+    const ProgramRun run =
+        lightwell({"render", file_, "--live", "--projection", "guess", "-o", *folder_ / "5.png"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("'guess' is not fastest, rays or queries"), std::string::npos);
+}
+
 class RenderedPath : public RenderedCornellBox {
   protected:
     /// A lamp that goes from place to place in the air of the box.

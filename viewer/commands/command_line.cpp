@@ -220,6 +220,12 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
               [&request](const std::string& text) {
                   request.opengl = opengl_argument("--opengl", text);
               });
+    add_value(*command, "--projection", "WAY",
+              "of lamps, in live pictures: rays (default), queries (occlusion queries), or fastest "
+              "of the two here",
+              [&request](const std::string& text) {
+                  request.projection = projection_argument("--projection", text);
+              });
     command->add_flag("--contours", request.contours, "contour lines in --view lux");
     add_value(*command, "--samples", "N", "samples a side in every pixel; 2 by default",
               [&request](const std::string& text) {

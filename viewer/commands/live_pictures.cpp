@@ -8,7 +8,6 @@
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
-#include "runtime/projection/shadow_projection.h"
 #include "solver/reading/path_reader.h"
 #include "viewer/commands/picture_output.h"
 #include "viewer/commands/progress_line.h"
@@ -62,10 +61,10 @@ std::string numbered(const std::string& output, int frame, int frames) {
 }  // namespace
 
 LivePictures::LivePictures(const OpenedOperator& opened, View view, const PixelSize& size,
-                           int samples, OffscreenGl opengl)
+                           int samples, OffscreenGl opengl, ProjectionWay projection)
     : context_(make_context(opengl)),
-      frame_(opened.transport, std::make_unique<ShadowProjection>(opened.transport.space,
-                                                                  opened.quads, opened.occluders)),
+      frame_(opened.transport,
+             chosen_projection(opened, context_->loader(), projection).projection),
       renderer_(opened.transport, context_->loader()),
       view_(frame_view(view, checked_samples(samples))),
       size_(size) {}
@@ -87,7 +86,8 @@ void draw_path(const OpenedOperator& opened, const PathRequest& request) {
     const Keyframes keyframes = read_path(request.path_file, opened.transport.scene.up);
     const int frames = keyframes.frames();
     require_writable(numbered(request.output, 0, frames));
-    LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl);
+    LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl,
+                          request.projection);
     PictureOutput output(request.view, request.exposure, request.contours);
     std::optional<ProgressLine> line;
     const Progress progress =

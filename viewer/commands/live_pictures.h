@@ -8,6 +8,7 @@
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/opened_operator.h"
 #include "viewer/commands/picture_view.h"
+#include "viewer/commands/projection_choice.h"
 #include "viewer/images/image.h"
 #include "viewer/offscreen/gl_context.h"
 
@@ -18,10 +19,9 @@ namespace lightwell {
 class LivePictures {
   public:
     /// @param samples  a side in every pixel, at most 4
-    /// @throws InputError for more samples and for an operator of glossy surfaces; SystemError if
-    /// OpenGL fails
+    /// @throws InputError for more samples; SystemError if OpenGL fails
     LivePictures(const OpenedOperator& opened, View view, const PixelSize& size, int samples,
-                 OffscreenGl opengl);
+                 OffscreenGl opengl, ProjectionWay projection);
 
     /// The linear picture, in the view's unit.
     /// @throws InputError for a camera that cannot be used; SystemError if OpenGL fails
@@ -48,6 +48,7 @@ struct PathRequest {
     Camera camera;              ///< where the path has none
     std::vector<Light> lights;  ///< beside those of the path
     OffscreenGl opengl = OffscreenGl::osmesa;
+    ProjectionWay projection = ProjectionWay::rays;
 };
 /// @throws Interrupted between two pictures, with all that are there complete; InputError for a
 /// path that cannot be used; SystemError if OpenGL or the disk fails

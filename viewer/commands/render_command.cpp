@@ -149,14 +149,15 @@ void run_render(const RenderRequest& request) {
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
     const Camera camera = chosen_camera(request, opened);
     if (request.path) {
-        draw_path(opened,
-                  {*request.path, request.output, request.view, request.size, request.samples,
-                   request.exposure, request.contours, camera, lights, request.opengl});
+        draw_path(opened, {*request.path, request.output, request.view, request.size,
+                           request.samples, request.exposure, request.contours, camera, lights,
+                           request.opengl, request.projection});
         return;
     }
     PictureOutput output(request.view, request.exposure, request.contours);
     if (request.live || request.view == View::coefficients) {
-        LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl);
+        LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl,
+                              request.projection);
         output.write(pictures.drawn(lights, camera), request.output);
         return;
     }

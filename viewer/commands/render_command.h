@@ -5,6 +5,7 @@
 
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/picture_view.h"
+#include "viewer/commands/projection_choice.h"
 #include "viewer/offscreen/gl_context.h"
 
 namespace lightwell {
@@ -31,6 +32,8 @@ struct RenderRequest {
     std::optional<std::string> path;  ///< a file of keyframes: pictures along it, drawn live
     bool contours = false;            ///< contour lines in View::lux
     OffscreenGl opengl = OffscreenGl::osmesa;
+    /// Of lamps in live pictures. Rays by default: the same bytes everywhere.
+    ProjectionWay projection = ProjectionWay::rays;
 };
 
 /// Renders a picture into a file, or along a path into numbered files, without a display. A PNG is

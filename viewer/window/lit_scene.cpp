@@ -5,29 +5,11 @@
 
 #include "radiance4d/failure.h"
 #include "runtime/projection/fastest_projection.h"
-#include "runtime/projection/occlusion_query_projection.h"
-#include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/global_propagation.h"
 
 namespace lightwell {
 
 namespace {
-
-std::unique_ptr<LightProjection> chosen_projection(const OpenedOperator& opened,
-                                                   const GlLoader& loader) {
-    const RadianceSpace& space = opened.transport.space;
-    std::vector<std::unique_ptr<LightProjection>> ways;
-    ways.push_back(std::make_unique<ShadowProjection>(space, opened.quads, opened.occluders));
-    ways.push_back(std::make_unique<OcclusionQueryProjection>(space, opened.quads, loader));
-    std::vector<Light> lights = opened.transport.scene.lights;
-    if (lights.empty()) {
-        PointLight anywhere;
-        anywhere.position = opened.quads[0].centre() + opened.quads[0].normal();
-        anywhere.intensity = Rgb::Ones();
-        lights.emplace_back(anywhere);
-    }
-    return fastest_projection(std::move(ways), lights, space.functions());
-}
 
 /// Seconds since the last call.
 double lap(double& since) {
@@ -67,9 +49,15 @@ class LitScene::Exact {
     PackedField indirect_;
 };
 
-LitScene::LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader& loader)
+LitScene::LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader& loader,
+                   ProjectionWay projection, ValueFormat rows)
+    : LitScene(opened, chosen_projection(*opened, loader, projection), loader, rows) {}
+
+LitScene::LitScene(std::shared_ptr<const OpenedOperator> opened, ChosenProjection chosen,
+                   const GlLoader& loader, ValueFormat rows)
     : opened_(std::move(opened)),
-      frame_(opened_->transport, chosen_projection(*opened_, loader)),
+      projection_(chosen.way),
+      frame_(opened_->transport, std::move(chosen.projection), rows),
       renderer_(opened_->transport, loader),
       canvas_(loader),
       finish_(loader("glFinish")) {
@@ -87,6 +75,7 @@ bool LitScene::light(const std::vector<Light>& lights, const UpdateOptions& opti
     if (!changed && is_at_rest() && !misses_exact) return false;
 
     report_ = frame_.light(lights, options);
+    pace_.took(report_.update.coefficients, report_.propagation_seconds);
     double since = steady_seconds();
     if (report_.textures > 0 || !lit_) renderer_.upload(frame_.textures());
     if (changed) renderer_.set_lights(lights);

@@ -6,7 +6,9 @@
 
 #include "runtime/drawing/frame_renderer.h"
 #include "runtime/frame.h"
+#include "runtime/propagation/paced_budget.h"
 #include "viewer/commands/opened_operator.h"
+#include "viewer/commands/projection_choice.h"
 #include "viewer/window/picture_canvas.h"
 #include "viewer/window/stage_times.h"
 
@@ -16,12 +18,20 @@ namespace lightwell {
 /// which must be current whenever a method is called, and at the end.
 class LitScene {
   public:
-    /// Projects with what is faster on this machine, rays or occlusion queries.
-    LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader& loader);
+    /// @param projection  of lamps; the fastest is measured here
+    /// @param rows        how the rows of H are held
+    LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader& loader,
+             ProjectionWay projection = ProjectionWay::fastest,
+             ValueFormat rows = ValueFormat::single);
     ~LitScene();
 
     const std::shared_ptr<const OpenedOperator>& opened() const { return opened_; }
     const FrameRenderer& renderer() const { return renderer_; }
+
+    /// How lamps are projected; never ProjectionWay::fastest.
+    ProjectionWay projection() const { return projection_; }
+    /// How many coefficients can be multiplied in so many seconds, by what the frames so far took.
+    std::uint32_t budget(double seconds) const { return pace_.budget(seconds); }
 
     /// Lights the scene anew where the lights have changed, or where X is not exact yet.
     /// @param wants_exact  keep textures of the exact product too, for Picture::difference
@@ -45,11 +55,15 @@ class LitScene {
   private:
     class Exact;
 
+    LitScene(std::shared_ptr<const OpenedOperator> opened, ChosenProjection chosen,
+             const GlLoader& loader, ValueFormat rows);
     /// Has glossy surfaces show what they send towards the camera.
     void look_from(const Camera& camera);
 
     std::shared_ptr<const OpenedOperator> opened_;
+    ProjectionWay projection_;
     Frame frame_;
+    PacedBudget pace_;
     FrameRenderer renderer_;
     PictureCanvas canvas_;
     void (*finish_)();  ///< glFinish

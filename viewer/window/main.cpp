@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include "radiance4d/failure.h"
+#include "solver/reading/input_file.h"
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/exit_status.h"
 #include "viewer/commands/output.h"
@@ -15,6 +16,13 @@
 namespace lightwell {
 
 namespace {
+
+ValueFormat rows_argument(const std::string& option, const std::string& text) {
+    if (text == "single") return ValueFormat::single;
+    if (text == "half") return ValueFormat::half;
+    if (text == "byte") return ValueFormat::byte;
+    throw InputError(Place{option}, in_quotes(text) + " is not single, half or byte");
+}
 
 void view(int argc, char** argv) {
     constexpr int most_threads = 1024;
@@ -38,6 +46,14 @@ void view(int argc, char** argv) {
         [&](const std::string& text) { request.size = size_argument("--size", text); });
     add("--error", "E", "relative error that a scene is computed to; 0.05 by default",
         [&](const std::string& text) { request.error = error_argument("--error", text); });
+    add("--projection", "WAY",
+        "of lamps: rays, queries (occlusion queries), or fastest (default), measured at the start",
+        [&](const std::string& text) {
+            request.projection = projection_argument("--projection", text);
+        });
+    add("--rows", "FORMAT",
+        "how the operator's rows are held: single (default), half or byte, which take less memory",
+        [&](const std::string& text) { request.rows = rows_argument("--rows", text); });
     add("--threads", "N", "threads to use; as many as the machine has by default",
         [&](const std::string& text) {
             threads = whole_argument("--threads", text, 1, most_threads);

@@ -31,7 +31,9 @@ ImU32 screen_colour(const Eigen::Array3d& linear) {
 
 void draw_lamp(ImDrawList& list, const EditedLight& edited, const CameraRays& rays, bool selected) {
     const auto centre = handle_places(rays, edited.light).centre;
-    if (!centre) return;
+    const bool is_in_picture = centre && (centre->array() >= 0).all() &&
+                               (*centre)[0] < rays.width() && (*centre)[1] < rays.height();
+    if (!is_in_picture) return;
     const Rgb& intensity = full_intensity_of(edited.light);
     const double most = intensity.maxCoeff();
     const ImU32 colour = edited.on && most > 0 ? screen_colour(intensity / most) : shade;

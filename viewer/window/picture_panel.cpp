@@ -70,7 +70,14 @@ void show_pictures(const PanelSubject& subject) {
     if (ImGui::SliderInt("budget", &budget, 0, 2000, budget == 0 ? "exact" : "%d a frame",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
         visit.update.budget = static_cast<std::uint32_t>(budget);
+    double milliseconds = 1e3 * visit.update_seconds;
+    if (slide("or by time", milliseconds, 0, 10, milliseconds == 0 ? "off" : "%.2f ms a frame",
+              ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+        visit.update_seconds = 1e-3 * milliseconds;
     if (!subject.scene) return;
+    ImGui::TextDisabled("lamps projected by %s", subject.scene->projection() == ProjectionWay::rays
+                                                     ? "shadows and rays"
+                                                     : "occlusion queries");
     const UpdateReport& update = subject.scene->update();
     ImGui::TextDisabled("%u coefficients multiplied, %u pending", update.coefficients,
                         update.pending);

@@ -65,9 +65,11 @@ void show_probe(const PanelSubject& subject) {
     ImGui::SameLine();
     if (ImGui::SmallButton("forget")) subject.visit.probed.reset();
     if (!point) return;
-    ImGui::TextDisabled("%s, %s",
-                        subject.scene->opened()->transport.scene.describe(point->quad).c_str(),
-                        point->front ? "front" : "back");
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s, %s",
+                       subject.scene->opened()->transport.scene.describe(point->quad).c_str(),
+                       point->front ? "front" : "back");
+    ImGui::PopStyleColor();
     ImGui::Text("indirect as drawn: %.4g lx",
                 luminance(subject.scene->indirect_at(point->quad, point->front, point->position)));
     if (!subject.probe.reading()) {

@@ -3,7 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "runtime/propagation/global_propagation.h"
 #include "viewer/commands/arguments.h"
+#include "viewer/commands/projection_choice.h"
 
 namespace lightwell {
 
@@ -14,6 +16,8 @@ struct ViewRequest {
     std::optional<std::string> camera;  ///< a file with a camera; the scene's own
     PixelSize size{1280, 800};          ///< of the window's content
     double error = 0.05;                ///< that a scene is computed to
+    ProjectionWay projection = ProjectionWay::fastest;  ///< of lamps
+    ValueFormat rows = ValueFormat::single;             ///< how the operator's rows are held
     std::optional<std::string> replay;  ///< a file of recorded input, see recording.h
     std::optional<std::string> record;  ///< a file to record input to
 };

@@ -41,8 +41,9 @@ struct Visit {
     std::optional<ProbedPoint> probed;
 
     FrameView view;
-    UpdateOptions update;
-    bool adapts = false;  ///< exposure and lux scale follow the picture all the time
+    UpdateOptions update;       ///< its budget counts unless there is a time
+    double update_seconds = 0;  ///< that a frame's product may take; 0: see the budget
+    bool adapts = false;        ///< exposure and lux scale follow the picture all the time
     bool through_walls = false;
     bool shows_panel = true;
     bool shows_handles = true;

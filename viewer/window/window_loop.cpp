@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <thread>
 #include <tuple>
 #include <utility>
 
 #include <GL/glcorearb.h>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
@@ -17,8 +14,6 @@
 #include "runtime/projection/fastest_projection.h"
 #include "solver/reading/input_file.h"
 #include "solver/reading/scene_reader.h"
-#include "solver/reading/toml_table.h"
-#include "viewer/commands/default_camera.h"
 #include "viewer/commands/stop_signal.h"
 #include "viewer/window/files.h"
 #include "viewer/window/panel.h"
@@ -31,31 +26,11 @@ namespace {
 
 constexpr double idle_patience = 0.1;     // between looks at files and loading [s]
 constexpr double usual_frame = 1.0 / 60;  // [s]
-constexpr int frames_after_input = 3;     // ImGui needs some to settle
 constexpr std::int64_t largest_recording = std::int64_t{64} << 20;
 
 std::optional<std::vector<InputFrame>> replay_of(const ViewRequest& request) {
     if (!request.replay) return std::nullopt;
     return input_from_text(read_text(*request.replay, largest_recording), *request.replay);
-}
-
-/// What files of this visit are called by default, in the current folder.
-std::string stem_of(const std::string& path) {
-    const std::filesystem::path file = std::filesystem::path(path).lexically_normal();
-    const bool is_file_in_folder = file.filename() == "scene.toml" && file.has_parent_path();
-    const std::filesystem::path named =
-        file.has_filename() && !is_file_in_folder ? file : file.parent_path();
-    const std::string stem = named.stem().string();
-    return stem.empty() ? "lightwell" : stem;
-}
-
-WalkCamera first_camera_of(const OpenedOperator& opened, const ViewRequest& request) {
-    const Scene& scene = opened.transport.scene;
-    if (request.camera) return {read_camera(*request.camera, scene.up), scene.up};
-    if (request.lights && TomlTable::read(*request.lights).has("camera"))
-        return {read_camera(*request.lights, scene.up), scene.up};
-    if (scene.camera) return {*scene.camera, scene.up};
-    return {default_camera(scene, opened.transport.space, opened.visibility), scene.up};
 }
 
 bool is_same(const FrameView& a, const FrameView& b) {
@@ -109,7 +84,7 @@ void WindowLoop::run() {
         take_loaded();
         probe_.poll();
         if (!frame.inputs.empty() || loading_ || probe_.is_reading() || !visit_.commands.empty())
-            frames_to_draw_ = frames_after_input;
+            frames_to_draw_ = frames_after_change;
         if (pace_.owes_a_fine_picture() || gestures_.is_walking() ||
             (scene_ && !scene_->is_at_rest()))
             frames_to_draw_ = std::max(frames_to_draw_, 1);
@@ -218,8 +193,10 @@ void WindowLoop::draw(const InputFrame& frame) {
 }
 
 void WindowLoop::draw_picture() {
-    const bool is_lit_anew = scene_->light(visit_.edits.shining(), visit_.update,
-                                           visit_.view.picture == Picture::difference);
+    UpdateOptions update = visit_.update;
+    if (visit_.update_seconds > 0) update.budget = scene_->budget(visit_.update_seconds);
+    const bool is_lit_anew =
+        scene_->light(visit_.edits.shining(), update, visit_.view.picture == Picture::difference);
     if (visit_.adapts && is_lit_anew) expose();
     const Shown wanted{visit_.camera.camera(), visit_.view, picture_width_, height_};
     const bool changes = is_lit_anew || !shown_ || !is_same(*shown_, wanted);
@@ -298,104 +275,6 @@ void WindowLoop::save_picture(const std::string& extension) {
     const std::string path = next_free_name(visit_.picture_stem, extension);
     write_picture(*scene_, visit_, picture_width_, height_, path);
     visit_.say("the picture is in " + path);
-}
-
-void WindowLoop::open(const std::string& path) {
-    const FileKind kind = kind_of(path);
-    if (kind == FileKind::lights)
-        throw InputError(Place{path}, "holds lights, not a scene; give it after --lights");
-    loading_ = std::make_unique<Loading>(kind == FileKind::operator_file
-                                             ? reading_of(path)
-                                             : precomputation_of(path, request_.error));
-    path_ = path;
-    if (kind == FileKind::operator_file)
-        watch_.emplace(path);
-    else
-        watch_.reset();
-}
-
-void WindowLoop::take_drop(const std::string& path) {
-    if (kind_of(path) == FileKind::lights) {
-        if (scene_) load_lights(path, scene_->opened()->transport.scene.up, visit_);
-        visit_.lights_file = path;
-        return;
-    }
-    open(path);
-    is_new_visit_ = true;
-}
-
-void WindowLoop::take_loaded() {
-    if (!loading_) return;
-    loading_state_ = loading_->state();
-    if (const SharedOperator opened = loading_->take()) enter(opened);
-    if (!loading_state_.is_over) return;
-    loading_.reset();
-    if (!loading_state_.failure) return;
-    if (!scene_) std::rethrow_exception(loading_state_.failure);
-    visit_.say(message_of(loading_state_.failure));
-}
-
-void WindowLoop::enter(const SharedOperator& opened) {
-    auto scene = std::make_unique<LitScene>(opened, window_.loader());
-    if (is_new_visit_) begin_visit(*opened);
-    if (visit_.probed && visit_.probed->quad >= static_cast<int>(opened->quads.size()))
-        visit_.probed.reset();
-    scene_ = std::move(scene);
-    shown_.reset();
-    walls_.emplace(opened->quads, walker_radius(opened->quads));
-    scene_->light(visit_.edits.shining(), visit_.update, false);
-    if (is_new_visit_) expose();
-    is_new_visit_ = false;
-    window_.set_title("Lightwell: " + opened->transport.scene.name);
-    const Provenance& provenance = opened->transport.provenance;
-    visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
-                           100 * provenance.error_asked));
-    frames_to_draw_ = frames_after_input;
-}
-
-void WindowLoop::begin_visit(const OpenedOperator& opened) {
-    const Scene& scene = opened.transport.scene;
-    visit_ = Visit(first_camera_of(opened, request_));
-    visit_.edits = LightEdits(chosen_lights(request_.lights, scene));
-    if (!visit_.edits.lights().empty()) visit_.selected = 0;
-    // What the command line names is for the first visit.
-    request_.lights.reset();
-    request_.camera.reset();
-    first_camera_ = visit_.camera;
-    const std::string stem = stem_of(path_);
-    visit_.lights_file = stem + ".lights.toml";
-    visit_.picture_stem = stem;
-    visit_.operator_file = stem + ".gto";
-}
-
-std::string WindowLoop::summary() const {
-    using Json = nlohmann::ordered_json;
-    const auto triple = [](const auto& v) { return Json::array({v[0], v[1], v[2]}); };
-    Json json;
-    json["eye"] = triple(visit_.camera.position());
-    json["forward"] = triple(visit_.camera.forward());
-    json["speed"] = visit_.camera.speed();
-    json["size"] = {width_, height_};
-    json["picture"] = static_cast<int>(visit_.view.picture) + 1;
-    json["exposure"] = visit_.view.exposure;
-    json["help"] = visit_.shows_help;
-    json["panel"] = visit_.shows_panel;
-    json["lights"] = Json::array();
-    for (const EditedLight& edited : visit_.edits.lights())
-        json["lights"].push_back({{"name", name_of(edited.light)},
-                                  {"type", edited.light.index() == 0 ? "point" : "spot"},
-                                  {"on", edited.on},
-                                  {"dimmer", edited.dimmer},
-                                  {"position", triple(position_of(edited.light))},
-                                  {"intensity", triple(full_intensity_of(edited.light))}});
-    if (visit_.selected) json["selected"] = *visit_.selected;
-    if (visit_.probed) json["probed"] = triple(visit_.probed->position);
-    if (visit_.probed && probe_.reading())
-        json["probe"] = {{"direct", probe_.reading()->direct()},
-                         {"indirect", probe_.reading()->indirect()},
-                         {"bounces", probe_.reading()->bounces()}};
-    json["messages"] = visit_.messages;
-    return json.dump(2) + "\n";
 }
 
 }  // namespace lightwell

@@ -43,6 +43,7 @@ class WindowLoop {
         int width, height;
     };
     static bool is_same(const Shown& a, const Shown& b);
+    static constexpr int frames_after_change = 3;  ///< the panel needs some to settle
 
     InputFrame next_input();
     void wait_for_rest();

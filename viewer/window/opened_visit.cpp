@@ -1,0 +1,140 @@
+// What a window is opened on, and what comes of it: scenes, their visits, and the end's summary.
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "radiance4d/failure.h"
+#include "solver/reading/scene_reader.h"
+#include "solver/reading/toml_table.h"
+#include "viewer/commands/default_camera.h"
+#include "viewer/window/files.h"
+#include "viewer/window/window_loop.h"
+
+namespace lightwell {
+
+namespace {
+
+/// What files of this visit are called by default, in the current folder.
+std::string stem_of(const std::string& path) {
+    const std::filesystem::path file = std::filesystem::path(path).lexically_normal();
+    const bool is_file_in_folder = file.filename() == "scene.toml" && file.has_parent_path();
+    const std::filesystem::path named =
+        file.has_filename() && !is_file_in_folder ? file : file.parent_path();
+    const std::string stem = named.stem().string();
+    return stem.empty() ? "lightwell" : stem;
+}
+
+WalkCamera first_camera_of(const OpenedOperator& opened, const ViewRequest& request) {
+    const Scene& scene = opened.transport.scene;
+    if (request.camera) return {read_camera(*request.camera, scene.up), scene.up};
+    if (request.lights && TomlTable::read(*request.lights).has("camera"))
+        return {read_camera(*request.lights, scene.up), scene.up};
+    if (scene.camera) return {*scene.camera, scene.up};
+    return {default_camera(scene, opened.transport.space, opened.visibility), scene.up};
+}
+
+}  // namespace
+
+void WindowLoop::open(const std::string& path) {
+    const FileKind kind = kind_of(path);
+    if (kind == FileKind::lights)
+        throw InputError(Place{path}, "holds lights, not a scene; give it after --lights");
+    loading_ = std::make_unique<Loading>(kind == FileKind::operator_file
+                                             ? reading_of(path)
+                                             : precomputation_of(path, request_.error));
+    path_ = path;
+    if (kind == FileKind::operator_file)
+        watch_.emplace(path);
+    else
+        watch_.reset();
+}
+
+void WindowLoop::take_drop(const std::string& path) {
+    if (kind_of(path) == FileKind::lights) {
+        if (scene_) load_lights(path, scene_->opened()->transport.scene.up, visit_);
+        visit_.lights_file = path;
+        return;
+    }
+    open(path);
+    is_new_visit_ = true;
+}
+
+void WindowLoop::take_loaded() {
+    if (!loading_) return;
+    loading_state_ = loading_->state();
+    if (const SharedOperator opened = loading_->take()) enter(opened);
+    if (!loading_state_.is_over) return;
+    loading_.reset();
+    if (!loading_state_.failure) return;
+    if (!scene_) std::rethrow_exception(loading_state_.failure);
+    visit_.say(message_of(loading_state_.failure));
+}
+
+void WindowLoop::enter(const SharedOperator& opened) {
+    auto scene =
+        std::make_unique<LitScene>(opened, window_.loader(), request_.projection, request_.rows);
+    if (is_new_visit_) begin_visit(*opened);
+    if (visit_.probed && visit_.probed->quad >= static_cast<int>(opened->quads.size()))
+        visit_.probed.reset();
+    scene_ = std::move(scene);
+    shown_.reset();
+    walls_.emplace(opened->quads, walker_radius(opened->quads));
+    scene_->light(visit_.edits.shining(), visit_.update, false);
+    history_.add(scene_->times());
+    if (is_new_visit_) expose();
+    is_new_visit_ = false;
+    window_.set_title("Lightwell: " + opened->transport.scene.name);
+    const Provenance& provenance = opened->transport.provenance;
+    visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
+                           100 * provenance.error_asked));
+    frames_to_draw_ = frames_after_change;
+}
+
+void WindowLoop::begin_visit(const OpenedOperator& opened) {
+    const Scene& scene = opened.transport.scene;
+    visit_ = Visit(first_camera_of(opened, request_));
+    visit_.edits = LightEdits(chosen_lights(request_.lights, scene));
+    if (!visit_.edits.lights().empty()) visit_.selected = 0;
+    // What the command line names is for the first visit.
+    request_.lights.reset();
+    request_.camera.reset();
+    first_camera_ = visit_.camera;
+    const std::string stem = stem_of(path_);
+    visit_.lights_file = stem + ".lights.toml";
+    visit_.picture_stem = stem;
+    visit_.operator_file = stem + ".gto";
+}
+
+std::string WindowLoop::summary() const {
+    using Json = nlohmann::ordered_json;
+    const auto triple = [](const auto& v) { return Json::array({v[0], v[1], v[2]}); };
+    Json json;
+    json["eye"] = triple(visit_.camera.position());
+    json["forward"] = triple(visit_.camera.forward());
+    json["speed"] = visit_.camera.speed();
+    json["size"] = {width_, height_};
+    json["picture"] = static_cast<int>(visit_.view.picture) + 1;
+    json["exposure"] = visit_.view.exposure;
+    json["help"] = visit_.shows_help;
+    json["panel"] = visit_.shows_panel;
+    json["lights"] = Json::array();
+    for (const EditedLight& edited : visit_.edits.lights())
+        json["lights"].push_back({{"name", name_of(edited.light)},
+                                  {"type", edited.light.index() == 0 ? "point" : "spot"},
+                                  {"on", edited.on},
+                                  {"dimmer", edited.dimmer},
+                                  {"position", triple(position_of(edited.light))},
+                                  {"intensity", triple(full_intensity_of(edited.light))}});
+    if (visit_.selected) json["selected"] = *visit_.selected;
+    if (visit_.probed) json["probed"] = triple(visit_.probed->position);
+    if (visit_.probed && probe_.reading())
+        json["probe"] = {{"direct", probe_.reading()->direct()},
+                         {"indirect", probe_.reading()->indirect()},
+                         {"bounces", probe_.reading()->bounces()}};
+    json["messages"] = visit_.messages;
+    return json.dump(2) + "\n";
+}
+
+}  // namespace lightwell
