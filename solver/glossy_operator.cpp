@@ -1,5 +1,6 @@
 #include "solver/glossy_operator.h"
 
+#include <cmath>
 #include <utility>
 
 #include "solver/radiance_bounce.h"
@@ -19,6 +20,14 @@ TrialLights projected(const RadianceSpace& space, const Ground& ground,
         fields.push_back(white_light(space, position, ground.quads, ground.occluders));
     }
     return trial_lights(fields);
+}
+
+/// Of coefficients as they stand.
+double hilbert_schmidt_norm(const std::vector<Coefficient>& coefficients) {
+    double squares = 0;
+    for (const Coefficient& c : coefficients)
+        squares += static_cast<double>(c.value) * static_cast<double>(c.value);
+    return std::sqrt(squares);
 }
 
 RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Settings& settings) {
@@ -60,18 +69,20 @@ GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& o
     transport.space = std::move(bounce.space);
     transport.reflection = Reflection(transport.scene, transport.space);
     const auto n = static_cast<Eigen::Index>(transport.space.functions());
+    constexpr double rough_share = 0.1;
+    const double size = hilbert_schmidt_norm(bounce.coefficients);
     BounceTruncation truncation(transport.space, bounce.closed, std::move(bounce.coefficients),
                                 Eigen::ArrayXd::Ones(n));
-    const SymmetricOperator untruncated = truncation.at(0);
+    const SymmetricOperator rough = truncation.at(truncation.threshold_for(rough_share * size));
     clock.lap("operator");
     const TrialLights tried = projected(transport.space, ground, ground.tried, progress);
     const DirectedWeights weights =
-        directed_weights(untruncated, transport.space, transport.reflection,
+        directed_weights(rough, transport.space, transport.reflection,
                          projected(transport.space, ground, ground.expected, progress), progress);
     clock.lap("ensemble");
     const TruncationTarget target{0.4 * settings.truncation, settings.truncation};
-    transport.bounce = truncated_propagation(std::move(truncation), untruncated, weights,
-                                             transport.reflection, tried, target.bounce, progress);
+    transport.bounce = truncated_propagation(std::move(truncation), weights, transport.reflection,
+                                             tried, target.bounce, progress);
     clock.lap("operator");
     sum_directed_series(weights, tried, target.global, progress, transport);
     clock.lap("series");

@@ -124,25 +124,27 @@ DirectedWeights directed_weights(const SymmetricOperator& propagation, const Rad
     return weights;
 }
 
-SymmetricOperator truncated_propagation(BounceTruncation truncation,
-                                        const SymmetricOperator& untruncated,
-                                        const DirectedWeights& weights,
+SymmetricOperator truncated_propagation(BounceTruncation truncation, const DirectedWeights& weights,
                                         const Reflection& reflection, const TrialLights& tried,
                                         double target, const Progress& progress) {
-    if (target == 0 || tried.empty()) return untruncated;
-    constexpr double close_enough = 1e-3;
+    if (target == 0 || tried.empty()) return truncation.at(0);
+    // What a much tighter threshold keeps stands for everything: the rest would cost minutes.
+    constexpr double close_enough = 1e-3, negligible = 0.1;
     const Eigen::ArrayXd visibility = reflection.visibility(grey());
     truncation.weigh(weights.outgoing, visibility);
-    const auto light_on = [&](const SymmetricOperator& propagation) {
-        return seen(solved_directed(propagation, reflection, grey(), tried, close_enough, progress),
+    const double budget = independent_share * target;
+    const double guess = truncation.threshold_for(budget);
+    const double tight = truncation.threshold_for(negligible * budget);
+    truncation.forget_below(tight);
+    const auto light_on = [&](double threshold) {
+        return seen(solved_directed(truncation.at(threshold), reflection, grey(), tried,
+                                    close_enough, progress),
                     visibility);
     };
-    const TrialLights reference = light_on(untruncated);
-    const double guess = truncation.threshold_for(independent_share * target);
-    const double threshold = calibrated_threshold(guess, target, [&](double at) {
-        return relative_change(light_on(truncation.at(at)), reference);
-    });
-    return truncation.at(threshold);
+    const TrialLights reference = light_on(tight);
+    const double threshold = calibrated_threshold(
+        guess, target, [&](double at) { return relative_change(light_on(at), reference); });
+    return truncation.at(std::max(threshold, tight));
 }
 
 namespace {

@@ -24,16 +24,15 @@ TrialLights solved_directed(const SymmetricOperator& propagation, const Reflecti
                             const Rgb& shares, const TrialLights& direct, double tolerance,
                             const Progress& progress);
 
-/// Weights from lights and the propagation, untruncated.
+/// Weights from lights and the propagation. They steer truncation and nothing else, so that a
+/// propagation without its smallest coefficients serves as well.
 DirectedWeights directed_weights(const SymmetricOperator& propagation, const RadianceSpace& space,
                                  const Reflection& reflection, const TrialLights& lights,
                                  const Progress& progress);
 
 /// P with as few coefficients as the target allows. Changes of light count as they are seen: by
 /// Reflection::visibility.
-SymmetricOperator truncated_propagation(BounceTruncation truncation,
-                                        const SymmetricOperator& untruncated,
-                                        const DirectedWeights& weights,
+SymmetricOperator truncated_propagation(BounceTruncation truncation, const DirectedWeights& weights,
                                         const Reflection& reflection, const TrialLights& tried,
                                         double target, const Progress& progress);
 
