@@ -69,15 +69,18 @@ def deed(rng):
 
 
 def write_visit(path, rng):
+    lamps = os.path.join(os.path.dirname(path), "lamps.toml")
+    with open(lamps, "w") as file:
+        file.write('[[light]]\ntype = "point"\nposition = [2, 2, 3]\nintensity = 100\n')
     frames = 0
     with open(path, "w") as file:
-        # Lamps go and come: never more than some.
         while frames < FRAMES:
             text = deed(rng)
             frames += text.count("frame")
             file.write(text)
-            if rng.random() < 0.02:
-                file.write("key tab down\nkey tab up\n" + tap("delete"))
+            # Lamps that come more often than they go would be growth of the visitor's making.
+            if rng.random() < 0.01:
+                file.write(f"drop {lamps}\nframe 0.05\n")
 
 
 def own_complaints(text):

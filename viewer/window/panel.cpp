@@ -98,13 +98,14 @@ void show_loading(const PanelSubject& subject) {
     ImGui::End();
 }
 
-void show_help(Visit& visit) {
+void show_help(const PanelSubject& subject) {
+    Visit& visit = subject.visit;
     if (!visit.shows_help) return;
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowFocus();
-    ImGui::SetNextWindowPos(ImVec2(0.5F * size.x, 0.5F * size.y), ImGuiCond_Always,
-                            ImVec2(0.5F, 0.5F));
-    ImGui::SetNextWindowBgAlpha(0.95F);
+    ImGui::SetNextWindowPos(
+        ImVec2(0.5F * static_cast<float>(subject.width), 0.5F * static_cast<float>(subject.height)),
+        ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+    ImGui::SetNextWindowBgAlpha(1);
     if (ImGui::Begin("Keys and mouse", &visit.shows_help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoMove) &&

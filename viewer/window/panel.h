@@ -32,7 +32,7 @@ void show_overlay(const PanelSubject& subject);
 /// What is on its way, in the middle of the window while there is no scene, else at its foot.
 void show_loading(const PanelSubject& subject);
 /// What keys and mouse do.
-void show_help(Visit& visit);
+void show_help(const PanelSubject& subject);
 
 // Sections of the panel.
 void show_lights(const PanelSubject& subject);

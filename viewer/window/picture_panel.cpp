@@ -44,7 +44,7 @@ void show_pictures(const PanelSubject& subject) {
         case Picture::lux:
             slide("top of scale", view.lux_maximum, 0.1, 1e5, "%.4g lx",
                   ImGuiSliderFlags_Logarithmic);
-            ImGui::SliderInt("contours every 1/", &view.lux_divisions, 2, 20);
+            ImGui::SliderInt("parts of it", &view.lux_divisions, 2, 20);
             ImGui::Checkbox("contour lines", &view.contours);
             break;
         case Picture::difference:

@@ -175,7 +175,7 @@ void WindowLoop::show_panels() {
     show_overlay(subject);
     if (visit_.shows_panel) show_panel(subject);
     show_loading(subject);
-    show_help(visit_);
+    show_help(subject);
 }
 
 void WindowLoop::draw(const InputFrame& frame) {

@@ -73,16 +73,17 @@ SpotLight spot(const Vec3& position, const Vec3& direction, double inner, double
 }
 
 void expect_same_flux(const LitRoom& room, const RadianceField& field, const RadianceField& truth,
-                      double relative, double of_total, const std::string& name) {
+                      double relative, double of_total, const std::string& name, double least) {
     const double total = room.total_flux(truth);
     EXPECT_NEAR(room.total_flux(field), total, of_total * total) << name;
     for (std::size_t e = 0; e < room.space.elements().size(); ++e) {
         const double expected = room.flux(e, truth);
-        if (expected > 1e-4 * total)
+        if (expected > least * total)
             EXPECT_NEAR(room.flux(e, field), expected, relative * expected)
                 << name << ", element " << e;
         else
-            EXPECT_NEAR(room.flux(e, field), expected, 1e-5 * total) << name << ", element " << e;
+            EXPECT_NEAR(room.flux(e, field), expected, std::max(1e-5, 2 * relative * least) * total)
+                << name << ", element " << e;
     }
 }
 

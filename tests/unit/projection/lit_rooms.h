@@ -37,9 +37,11 @@ std::vector<Vec3> places_in_closed_room(int anywhere);
 PointLight lamp(const Vec3& position);
 SpotLight spot(const Vec3& position, const Vec3& direction, double inner, double outer);
 
-/// Checks flux on every element that receives more than 1e-4 of the light, to within `relative` of
-/// it, and the flux on all, to within `of_total`.
+/// Checks flux on every element that receives more than a share `least` of the light, to within
+/// `relative` of it, on others to within twice that of `least`, and the flux on all, to within
+/// `of_total`.
 void expect_same_flux(const LitRoom& room, const RadianceField& field, const RadianceField& truth,
-                      double relative, double of_total, const std::string& name);
+                      double relative, double of_total, const std::string& name,
+                      double least = 1e-4);
 
 }  // namespace lightwell::testing

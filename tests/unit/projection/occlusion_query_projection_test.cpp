@@ -60,11 +60,20 @@ TEST_F(OcclusionQueries, LoseNoLightOfALampInAClosedRoom) {
             << place.transpose();
 }
 
-TEST_F(OcclusionQueries, AgreeForSpots) {
+TEST_F(OcclusionQueries, AgreeForSpotsOfAnyCone) {
     const LitRoom room = closed_room();
-    const Vec3 place(0.5, 0.6, 2.2);
-    const std::vector<Light> light = {spot(place, Vec3(1.5, 2, 0.4) - place, 20, 35)};
-    expect_same_flux(room, projected(room, light), room.truth(light), 2e-2, 2e-3, "spot");
+    const double cones[][2] = {{20, 35}, {5, 70}, {40, 40}};
+    for (const auto& cone : cones)
+        for (const Vec3& place : {Vec3(0.5, 0.6, 2.2), Vec3(2.6, 3.5, 1.3)}) {
+            const std::vector<Light> light = {
+                spot(place, Vec3(1.5, 2, 0.4) - place, cone[0], cone[1])};
+            std::ostringstream name;
+            name << "spot at " << place.transpose() << ", " << cone[0] << " to " << cone[1];
+            // The rim of a hard cone is no edge that pixels are counted along.
+            const double tolerance = cone[0] < cone[1] ? 5e-3 : 1e-2;
+            expect_same_flux(room, projected(room, light), room.truth(light), tolerance, 2e-3,
+                             name.str());
+        }
 }
 
 TEST_F(OcclusionQueries, AreFewWhereNothingStandsBetween) {

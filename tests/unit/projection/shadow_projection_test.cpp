@@ -59,8 +59,10 @@ TEST(ShadowProjection, AgreesForSpotsOfAnyCone) {
                 spot(place, Vec3(1.5, 2, 1.2) - place, cone[0], cone[1])};
             std::ostringstream name;
             name << "spot at " << place.transpose() << ", " << cone[0] << " to " << cone[1];
-            expect_same_flux(room, projected(room, light), room.truth(light), 1e-2, 2e-3,
-                             name.str());
+            const RadianceField field = projected(room, light), truth = room.truth(light);
+            expect_same_flux(room, field, truth, 5e-3, 2e-3, name.str(), 5e-3);
+            // Where a cone's rim and several shadows meet in one cell, and nowhere else.
+            expect_same_flux(room, field, truth, 1e-2, 2e-3, name.str());
         }
 }
 
