@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include <GL/glcorearb.h>
 
@@ -119,7 +118,6 @@ class FrameRenderer::Drawing {
         fill(lobes_, indirect.size(), indirect.pixels());
         fill(emitted_lobes_, emitted.size(), emitted.pixels());
         check_gl(gl_, "uploading textures");
-        if (!std::exchange(is_glossy_, true)) lighting_.clear();
     }
 
     void draw(const Camera& camera, const FrameView& view, int width, int height) {
@@ -192,7 +190,7 @@ class FrameRenderer::Drawing {
         if (found != lighting_.end()) return found->second;
         return lighting_
             .emplace(picture, make_program(gl_, covering_vertex_shader(),
-                                           lighting_shader(picture, is_glossy_).c_str()))
+                                           lighting_shader(picture, surfaces_.has_lobes()).c_str()))
             .first->second;
     }
 
@@ -284,7 +282,6 @@ class FrameRenderer::Drawing {
     GlObject developing_, covering_;
     RecordBuffer surface_buffer_, lamp_buffer_, emitter_buffer_, shaft_buffer_;
     GlObject shown_, exact_, lobes_, emitted_lobes_;
-    bool is_glossy_ = false;
     LampMaps lamp_maps_;
     int lamp_count_ = 0, emitter_count_ = 0, first_list_ = 0;
     std::optional<Canvas> canvas_;

@@ -67,8 +67,7 @@ class FrameRenderer {
     void upload_exact(const TextureAtlas& textures);
 
     /// What lobes send towards the eye that draws next, of indirect light and of that of emitting
-    /// quads (LobeSynthesis); both are laid out alike. Before the first call surfaces that have
-    /// lobes lack what these reflect.
+    /// quads (LobeSynthesis); both are laid out alike. Dark before the first call.
     void upload_lobes(const TextureAtlas& indirect, const TextureAtlas& emitted);
 
     /// Draws into the framebuffer that is bound, from its lower left corner on, as sRGB-encoded

@@ -107,6 +107,10 @@ bool SurfaceRecords::place_lobes(const TextureAtlas& atlas) {
     return is_news;
 }
 
+bool SurfaceRecords::has_lobes() const {
+    return std::any_of(has_lobe_.begin(), has_lobe_.end(), [](char has) { return has != 0; });
+}
+
 bool SurfaceRecords::enter(const TextureAtlas& atlas, std::size_t e, int which) {
     const AtlasPlace& place = atlas.place(e);
     const Record entry = {static_cast<float>(place.left), static_cast<float>(place.top),

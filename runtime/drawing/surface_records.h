@@ -45,6 +45,8 @@ struct SurfaceRecords {
     bool place(const TextureAtlas& atlas);
     /// The same of the textures of lobes.
     bool place_lobes(const TextureAtlas& atlas);
+    /// Whether any element has one.
+    bool has_lobes() const;
 
   private:
     bool enter(const TextureAtlas& atlas, std::size_t e, int which);

@@ -106,6 +106,7 @@ void LobeSynthesis::take(const PackedField& incident) {
         if (!(taken != wanted).any()) return;
         taken = wanted;
         take_element(lobed, incident);
+        lobed.is_dark = (wanted == 0).all();
         lobed.has_changed = true;
     });
 }
@@ -127,7 +128,7 @@ std::size_t LobeSynthesis::synthesise(const Vec3& eye) {
     eye_ = eye;
     std::size_t count = 0;
     for (LobedElement& lobed : lobed_) {
-        if (!(has_moved || lobed.has_changed)) continue;
+        if (!(lobed.has_changed || (has_moved && !lobed.is_dark))) continue;
         // It stays in need of work, for an eye that it faces.
         if (!(lobed.normal.dot(eye - lobed.corner) > 0)) continue;
         fill_texture(lobed, eye);

@@ -14,7 +14,8 @@ namespace lightwell {
 /// Textures of what the lobes of glossy elements send towards one eye [cd/m2], one texel per finest
 /// spatial cell: the product of incident light with the BRDF in wavelet space (WRT section 5.3).
 /// Space is traversed first, once per light, then for every texel the angular functions that the
-/// lobe reaches from the eye (LobeTable). Elements turned away from the eye cost nothing.
+/// lobe reaches from the eye (LobeTable). Elements turned away from the eye cost nothing, nor do
+/// those that no light falls on.
 ///
 /// Elements without directions have a single dark texel.
 class LobeSynthesis {
@@ -49,7 +50,8 @@ class LobeSynthesis {
         std::vector<std::uint32_t> stand_in;     ///< by finest cell: the open one shown there
         AngularLight incident;                   ///< angular coefficients, cell by cell
         PackedField scaling;                     ///< scratch: by finest cell
-        bool has_changed = true;
+        bool is_dark = true;                     ///< no light is incident
+        bool has_changed = false;                ///< the texture is of other light
     };
 
     static std::vector<TextureSize> sizes(const RadianceSpace& space);

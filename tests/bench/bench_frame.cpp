@@ -213,10 +213,11 @@ void whole_frame(benchmark::State& state, const std::string& name, FrameSeconds&
         synthesis.push_back(report.synthesis_seconds + report.lobe_seconds);
         all.push_back(projection.back() + propagated.back() + synthesis.back());
     }
-    known[name].insert({{"projection", median(projection)},
-                        {"GTO", median(propagated)},
-                        {"BRDF and synthesis", median(synthesis)},
-                        {all_but_drawing, median(all)}});
+    // Of several runs the last, longest one counts.
+    known[name]["projection"] = median(projection);
+    known[name]["GTO"] = median(propagated);
+    known[name]["BRDF and synthesis"] = median(synthesis);
+    known[name][all_but_drawing] = median(all);
     state.counters["projection ms"] = 1e3 * median(projection);
     state.counters["GTO ms"] = 1e3 * median(propagated);
     state.counters["synthesis ms"] = 1e3 * median(synthesis);
@@ -307,10 +308,10 @@ void drawn_frame(benchmark::State& state, const std::string& name, FrameSeconds&
     state.counters["upload ms"] = 1e3 * median(upload);
     state.counters["drawing ms"] = 1e3 * median(drawing);
     state.counters["all ms"] = 1e3 * median(all);
-    if (state.range(0) == 100)
-        known[name].insert({{"shadow maps", median(maps)},
-                            {"upload", median(upload)},
-                            {"drawing", median(drawing)}});
+    if (state.range(0) != 100) return;
+    known[name]["shadow maps"] = median(maps);
+    known[name]["upload"] = median(upload);
+    known[name]["drawing"] = median(drawing);
 }
 
 /// The stages' medians of all scenes, by their size.

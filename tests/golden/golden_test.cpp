@@ -45,14 +45,27 @@ Scene golden_scene() {
     return scene;
 }
 
-const GoldenRoom& golden_room() {
-    static const GoldenRoom room = [] {
+/// The same with a floor that shines.
+Scene polished_scene() {
+    Scene scene = golden_scene();
+    Material polished;
+    polished.reflectance = Rgb::Constant(0.1);
+    polished.lobe = GgxLobe{Rgb::Constant(0.7), 0.3};
+    for (SceneQuad& quad : scene.quads)
+        if (quad.quad.normal()[2] > 0.9 && quad.quad.centre()[2] < 0.01)
+            quad.material = static_cast<int>(scene.materials.size());
+    scene.materials.push_back(polished);
+    return scene;
+}
+
+const GoldenRoom& golden_room(bool is_polished) {
+    const auto made = [](const Scene& scene, double error, double cell_size) {
         PrecomputeOptions options;
-        options.error = 0.1;
-        options.cell_size = 0.25;
+        options.error = error;
+        options.cell_size = cell_size;
         options.most_attempts = 0;
         PrecomputeReport report;
-        GlobalTransport transport = precompute(golden_scene(), options, {}, report);
+        GlobalTransport transport = precompute(scene, options, {}, report);
         std::vector<Quad> quads;
         for (const SceneQuad& quad : transport.scene.quads)
             quads.push_back(quad.quad);
@@ -71,8 +84,13 @@ const GoldenRoom& golden_room() {
                           std::move(occluders),
                           {PointLight{"point", Vec3(2.5, 1.2, 1.5), Rgb(10, 12, 20)}, spot},
                           camera};
-    }();
-    return room;
+    };
+    if (is_polished) {
+        static const GoldenRoom polished = made(polished_scene(), 0.3, 0.5);
+        return polished;
+    }
+    static const GoldenRoom diffuse = made(golden_scene(), 0.1, 0.25);
+    return diffuse;
 }
 
 struct GoldenView {
@@ -80,6 +98,7 @@ struct GoldenView {
     FrameView view;
     double rms = 2.5;       ///< largest allowed
     double far_off = 0.01;  ///< largest allowed
+    bool is_polished = false;
 };
 
 std::ostream& operator<<(std::ostream& out, const GoldenView& golden) {
@@ -104,7 +123,14 @@ GoldenView golden_view(const char* name, Picture picture,
 }
 
 std::vector<GoldenView> golden_views() {
+    const auto polished = [](const char* name, Picture picture) {
+        GoldenView golden = golden_view(name, picture);
+        golden.is_polished = true;
+        return golden;
+    };
     return {
+        polished("polished", Picture::total),
+        polished("polished_indirect", Picture::indirect),
         golden_view("total", Picture::total),
         golden_view("direct", Picture::direct),
         golden_view("indirect", Picture::indirect),
@@ -120,8 +146,9 @@ std::vector<GoldenView> golden_views() {
         golden_view("coarse", Picture::total, [](FrameView& view) { view.coarseness = 3; })};
 }
 
-BytePicture drawn(const FrameView& view) {
-    const GoldenRoom& room = golden_room();
+BytePicture drawn(const GoldenView& golden) {
+    const FrameView& view = golden.view;
+    const GoldenRoom& room = golden_room(golden.is_polished);
     const std::unique_ptr<GlContext> context = make_offscreen_context();
     const auto new_frame = [&] {
         return std::make_unique<Frame>(
@@ -134,6 +161,8 @@ BytePicture drawn(const FrameView& view) {
     renderer.set_lights(room.lamps);
     renderer.upload_exact(exact->textures());
     renderer.upload(exact->textures());
+    if (exact->look(room.camera.position).lobes > 0)
+        renderer.upload_lobes(exact->lobes(), exact->emitted_lobes());
     if (view.picture == Picture::difference) {
         // The first frame of an update that may multiply few coefficients.
         const auto rough = new_frame();
@@ -176,7 +205,7 @@ class Golden : public ::testing::TestWithParam<GoldenView> {};
 TEST_P(Golden, IsAsItWasWhenLookedAt) {
     const std::string name = GetParam().name;
     const std::string file = LIGHTWELL_GOLDEN "/" + name + ".png";
-    const BytePicture result = drawn(GetParam().view);
+    const BytePicture result = drawn(GetParam());
     if (std::getenv("LIGHTWELL_UPDATE_GOLDEN")) {
         testing::write_png(result, file);
         GTEST_SKIP() << file << " is written anew: look at it";

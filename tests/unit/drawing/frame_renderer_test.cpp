@@ -10,7 +10,6 @@
 #include "radiance4d/scene/direct_light.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/drawing/camera_rays.h"
-#include "runtime/outgoing/lobe_synthesis.h"
 #include "tests/unit/drawing/drawn_bytes.h"
 #include "tests/unit/drawing/room_with_blocks.h"
 #include "viewer/images/false_colour.h"
@@ -300,8 +299,6 @@ TEST_F(FrameRendererTest, HighlightsOfLampsAreExactForEveryLobe) {
         camera.target = Vec3(1, 1, 0);
         FrameRenderer renderer(transport, context_->loader());
         renderer.set_lights({lamp});
-        const LobeSynthesis dark(transport);
-        renderer.upload_lobes(dark.atlas(), dark.atlas());
         const LinearPicture drawn = renderer.linear(camera, {}, 80, 60);
         const CameraRays rays(camera, 80, 60);
         double brightest = 0, dimmest = 1e9;

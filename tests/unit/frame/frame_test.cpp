@@ -6,8 +6,10 @@
 
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/lighting.h"
+#include "solver/precompute.h"
 #include "tests/unit/frame/allocations.h"
 #include "tests/unit/propagation/coloured_room.h"
+#include "tests/unit/reference/rooms.h"
 
 namespace lightwell {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 using testing::coloured_room;
 using testing::light_path;
 
-std::vector<Light> lamp_at(const Vec3& place) {
+std::vector<Light> long_named_lamp_at(const Vec3& place) {
     return {PointLight{"a lamp with quite a long name", place, Rgb(100, 80, 60)}};
 }
 
@@ -27,9 +29,9 @@ std::unique_ptr<LightProjection> projection() {
 TEST(Frame, ShowsWhatThePlainPipelineComputes) {
     Frame frame(coloured_room().transport, projection());
     for (const Vec3& place : light_path(1, 3)) {
-        frame.light(lamp_at(place));
+        frame.light(long_named_lamp_at(place));
         const Lighting plain =
-            light_scene(coloured_room().transport, lamp_at(place), coloured_room().quads,
+            light_scene(coloured_room().transport, long_named_lamp_at(place), coloured_room().quads,
                         coloured_room().occluders, Propagation::stored);
         const RadianceField indirect = unpacked(frame.indirect());
         EXPECT_LT((indirect - plain.indirect).matrix().norm(),
@@ -57,7 +59,7 @@ TEST(Frame, EmittingQuadsShineInEveryFrame) {
 
 TEST(Frame, AtRestNothingIsDone) {
     Frame frame(coloured_room().transport, projection());
-    const std::vector<Light> lamp = lamp_at(Vec3(0.6, 0.7, 1.8));
+    const std::vector<Light> lamp = long_named_lamp_at(Vec3(0.6, 0.7, 1.8));
     const FrameReport first = frame.light(lamp);
     EXPECT_TRUE(first.update.changed);
     EXPECT_EQ(first.textures, frame.textures().textures());
@@ -73,7 +75,7 @@ TEST(Frame, ASteadyFrameAllocatesNothing) {
     const testing::LightPath path = light_path(1, 60);
     std::vector<std::vector<Light>> lamps;
     for (const Vec3& place : path)
-        lamps.push_back(lamp_at(place));
+        lamps.push_back(long_named_lamp_at(place));
     for (const std::uint32_t budget : {0U, 30U}) {
         Frame frame(coloured_room().transport, projection());
         UpdateOptions options;
@@ -86,6 +88,37 @@ TEST(Frame, ASteadyFrameAllocatesNothing) {
         }
         EXPECT_EQ(testing::allocations() - before, 0U) << "budget " << budget;
     }
+}
+
+TEST(Frame, NorDoesOneInWhichLampAndEyeMovePastAGlossyFloor) {
+    if (!testing::can_count_allocations()) GTEST_SKIP() << "allocations are not counted here";
+    const Rgb white = Rgb::Constant(0.6);
+    Scene scene = box_scene(Vec3(2, 3, 2), {white, white, white, white, white, white});
+    scene.materials[floor_z0].lobe = GgxLobe{Rgb::Constant(0.3), 0.4};
+    PrecomputeOptions options;
+    options.error = 0.3;
+    options.cell_size = 0.5;
+    options.most_attempts = 0;
+    PrecomputeReport report;
+    const GlobalTransport transport = precompute(scene, options, {}, report);
+    std::vector<Quad> quads;
+    for (const SceneQuad& quad : scene.quads)
+        quads.push_back(quad.quad);
+    const OccluderTree occluders(quads);
+    Frame frame(transport, std::make_unique<ShadowProjection>(transport.space, quads, occluders));
+    ASSERT_TRUE(frame.is_glossy());
+    std::vector<std::vector<Light>> lamps;
+    for (int k = 0; k < 20; ++k)
+        lamps.push_back(long_named_lamp_at(Vec3(0.3 + 0.05 * k, 0.5 + 0.1 * k, 1.7)));
+    std::uint64_t before = 0;
+    for (int round = 0; round < 4; ++round) {
+        before = testing::allocations();
+        for (std::size_t k = 0; k < lamps.size(); ++k) {
+            frame.light(lamps[k]);
+            EXPECT_EQ(frame.look(Vec3(1, 0.1 * static_cast<double>(k), 1)).lobes, 1u);
+        }
+    }
+    EXPECT_EQ(testing::allocations() - before, 0U);
 }
 
 }  // namespace
