@@ -146,7 +146,7 @@ void attempt(Attempts& attempts, const Ground& ground, const PrecomputeOptions& 
         progress.say("preview", 0);
         Progress silent;
         silent.stop_requested = progress.stop_requested;
-        if (attempts.build_and_judge(*preview, silent) <= 1) return;
+        attempts.build_and_judge(*preview, silent);
     }
     for (report.attempts = 1;; ++report.attempts) {
         const double missed = attempts.build_and_judge(settings, progress);

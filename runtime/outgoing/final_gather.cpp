@@ -28,11 +28,13 @@ Eigen::Matrix3d frame_about(const Vec3& z) {
 }  // namespace
 
 FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& visibility,
-                         std::vector<SmoothSurface> incident, int strata, const GlossyLight* glossy)
+                         std::vector<SmoothSurface> incident, int strata, const GlossyLight* glossy,
+                         ExactLamps exact)
     : transport_(transport),
       visibility_(visibility),
       incident_(std::move(incident)),
       glossy_(glossy),
+      exact_(std::move(exact)),
       albedo_(mean_albedos(transport.scene.materials)),
       mean_(strata) {
     // One jittered point per stratum of the angular square, the same for every sensor: neighbouring
@@ -47,6 +49,16 @@ FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& vis
         }
 }
 
+Rgb FinalGather::reflected(std::size_t element, const Vec3& at) const {
+    const Element& met = transport_.space.element(element);
+    const Vec2 uv = met.geometry.parameters(at);
+    Rgb irradiance = incident_[element].at(uv[0], uv[1]);
+    if (!exact_.on.empty())
+        for (const Light& lamp : exact_.on[element])
+            irradiance += exact_.direct->from_light(at, met.geometry.normal(), met.quad, lamp);
+    return albedo_[transport_.scene.material_number(met.quad)] * irradiance;
+}
+
 Rgb FinalGather::irradiance(const Vec3& point, const Vec3& normal, int on_quad) const {
     // E = Int L cos dw = pi * mean of L over the angular square, and L = rho E_y / pi.
     const Eigen::Matrix3d frame = frame_about(normal);
@@ -57,12 +69,10 @@ Rgb FinalGather::irradiance(const Vec3& point, const Vec3& normal, int on_quad) 
         const int element = transport_.space.element_on(hit.quad, hit.front);
         if (element < 0) return Rgb::Zero();
         const auto e = static_cast<std::size_t>(element);
-        const Element& met = transport_.space.element(e);
         const Vec3 at = point + hit.distance * direction;
         if (glossy_ != nullptr && glossy_->is_glossy(e))
             return M_PI * glossy_->radiance(e, at, -direction);
-        const Vec2 uv = met.geometry.parameters(at);
-        return albedo_[transport_.scene.material_number(hit.quad)] * incident_[e].at(uv[0], uv[1]);
+        return reflected(e, at);
     });
 }
 
@@ -80,9 +90,7 @@ GatheredRadiance FinalGather::against(const Vec3& point, int on_quad, const Vec3
         light.indirect = glossy_->radiance(e, at, -direction);
         return light;
     }
-    const Vec2 uv = transport_.space.element(e).geometry.parameters(at);
-    light.indirect =
-        albedo_[transport_.scene.material_number(hit.quad)] / M_PI * incident_[e].at(uv[0], uv[1]);
+    light.indirect = reflected(e, at) / M_PI;
     return light;
 }
 

@@ -53,7 +53,8 @@ class Examiner {
           left_out_(quads_.size(), false),
           tree_(boxes()) {
         for (std::size_t i = 0; i < kinds; ++i)
-            found_.findings.push_back({static_cast<Defect>(i), 0, {}, false, kind_of[i].meaning});
+            found_.findings.push_back(
+                {static_cast<Defect>(i), 0, 0, {}, false, kind_of[i].meaning});
     }
 
     Diagnosis examine() {
@@ -267,6 +268,17 @@ Diagnosis diagnose(const Scene& scene, const DiagnosisRule& rule) {
     return Examiner(scene, rule).examine();
 }
 
+Diagnosis with_left_out(Diagnosis diagnosis, const PolygonCounts& counts) {
+    const auto add = [&](Defect defect, int left_out) {
+        Finding& finding = diagnosis.findings[static_cast<std::size_t>(defect)];
+        finding.count += left_out;
+        finding.left_out = left_out;
+    };
+    add(Defect::degenerate, counts.degenerate);
+    add(Defect::duplicate, counts.copies);
+    return diagnosis;
+}
+
 std::string name_of(Defect defect) {
     return kind_of[static_cast<std::size_t>(defect)].name;
 }
@@ -275,7 +287,9 @@ std::string to_string(const Diagnosis& diagnosis, const Scene& scene) {
     std::string text;
     for (const Finding& finding : diagnosis.findings) {
         text += fmt::format("{:>28}: {}", name_of(finding.defect), with_separators(finding.count));
-        if (finding.count > 0)
+        if (finding.left_out > 0)
+            text += fmt::format(", {} left out when read", with_separators(finding.left_out));
+        if (finding.count > finding.left_out)
             text += fmt::format(" ({}); {}: {}", places_of(finding, scene),
                                 finding.matters ? "matters" : "harmless", finding.meaning);
         text += "\n";

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reading/reading_report.h"
 
 namespace lightwell {
 
@@ -23,6 +24,7 @@ enum class Defect {
 struct Finding {
     Defect defect;
     int count = 0;
+    int left_out = 0;  ///< of these, polygons that are no quads of the scene: see with_left_out
     std::vector<int> examples;  ///< the quads of the first few
     bool matters = false;       ///< whether it changes the light in this scene
     std::string meaning;        ///< one line
@@ -46,6 +48,9 @@ struct DiagnosisRule {
 /// Examines a scene. Lengths below a millionth of its diagonal count as nothing. Time grows with
 /// the number of quads and of their contacts, but for a logarithm.
 Diagnosis diagnose(const Scene& scene, const DiagnosisRule& rule = {});
+
+/// Counts what reading left out, too: polygons without area, and copies.
+Diagnosis with_left_out(Diagnosis diagnosis, const PolygonCounts& counts);
 
 /// "degenerate quads", "T-vertices", ...
 std::string name_of(Defect defect);

@@ -52,6 +52,9 @@ std::string to_string(const PolygonCounts& counts) {
                counted(counts.cut, "triangle") + " cut into " + counted(3 * counts.cut, "quad"));
     if (counts.flattened > 0)
         append(deeds, counted(counts.flattened, "polygon") + " moved onto the mean plane");
+    if (counts.copies > 0)
+        append(deeds, with_separators(counts.copies) +
+                          (counts.copies == 1 ? " copy left out" : " copies left out"));
     if (counts.along_walls > 0)
         append(deeds, counted(counts.along_walls, "quad") + " cut along walls into " +
                           with_separators(counts.pieces));

@@ -31,6 +31,7 @@ struct PolygonCounts {
     int crossing = 0;    ///< polygons whose outline crosses itself, left out
     int pairs = 0;       ///< quads made of two triangles, whether of the file or cut from a polygon
     int cut = 0;         ///< triangles cut into three quads each
+    int copies = 0;      ///< quads where an earlier one lies, left out
     int along_walls = 0;  ///< quads, kept or made, cut along the walls that stand on them
     int pieces = 0;       ///< quads that those became
     int elements = 0;     ///< quads of the scene

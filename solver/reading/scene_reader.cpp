@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/reading/copies.h"
 #include "solver/reading/input_file.h"
 #include "solver/reading/material_choice.h"
 #include "solver/reading/mesh_reader.h"
@@ -106,14 +107,17 @@ void read_geometry(const GeometryChoice& geometry, AlbedoAboveOne above_one, Rea
     MaterialChoice choice =
         choose_materials(soup, geometry.materials, geometry.default_material, above_one, warnings);
     QuadsOfPolygons made = quads_from_polygons(soup, geometry.metres_per_unit);
+    for (SceneQuad& quad : made.quads)
+        quad.material = quad.material < 0 ? choice.of_unnamed
+                                          : choice.of_soup[static_cast<std::size_t>(quad.material)];
+    made.counts.copies =
+        leave_out_copies(made.quads, choice.materials, geometry.file, made.warnings);
+    made.counts.elements -= made.counts.copies;
     if (geometry.cut_along_walls) cut_quads(made, geometry.file);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     read.report.counts = made.counts;
     if (made.quads.empty())
         throw InputError(Place{geometry.file}, "no surface is left: " + to_string(made.counts));
-    for (SceneQuad& quad : made.quads)
-        quad.material = quad.material < 0 ? choice.of_unnamed
-                                          : choice.of_soup[static_cast<std::size_t>(quad.material)];
     read.scene.geometry_file = geometry.file;
     read.scene.materials = std::move(choice.materials);
     read.scene.quads = std::move(made.quads);

@@ -29,7 +29,10 @@ TEST(Info, CountsWhatIsWrongWithAScene) {
         folder.write("twice.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3 4\n");
     const ProgramRun run = lightwell({"info", file, "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(nlohmann::json::parse(run.out)["diagnosis"]["duplicate_quads"]["count"], 1);
+    const nlohmann::json duplicates =
+        nlohmann::json::parse(run.out)["diagnosis"]["duplicate_quads"];
+    EXPECT_EQ(duplicates["count"], 1);
+    EXPECT_EQ(duplicates["left_out"], 1);
 }
 
 TEST(Info, OfAnOperatorAgreesWithTheReportOfItsMaking) {

@@ -290,8 +290,8 @@ TEST(Precompute, AnAttemptThatDoesNotFitIsNotMade) {
     const nlohmann::json first = report({"--attempts", "1"});
     const nlohmann::json free = report({"--attempts", "3"});
     ASSERT_GT(free["cells"], first["cells"]) << "no attempt took smaller cells";
-    const int enough = 26500 * first["cells"].get<int>();
-    ASSERT_LT(enough, 26000 * free["cells"].get<int>());
+    const int enough = 20500 * first["cells"].get<int>();
+    ASSERT_LT(enough, 20000 * free["cells"].get<int>());
     const nlohmann::json bound =
         report({"--attempts", "3", "--max-memory", std::to_string(enough)});
     EXPECT_EQ(bound["cells"], first["cells"]);

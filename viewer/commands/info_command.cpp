@@ -171,6 +171,7 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
     Json json;
     for (const Finding& finding : diagnosis.findings)
         json[key_of(finding.defect)] = Json{{"count", finding.count},
+                                            {"left_out", finding.left_out},
                                             {"matters", finding.matters},
                                             {"meaning", finding.meaning},
                                             {"quads", finding.examples}};
@@ -178,6 +179,10 @@ Json diagnosis_json(const Diagnosis& diagnosis) {
     json["closed_surfaces"] = diagnosis.closed_surfaces;
     json["complete"] = diagnosis.complete;
     return json;
+}
+
+Diagnosis diagnosis_of(const ReadScene& read) {
+    return with_left_out(diagnose(read.scene), read.report.counts);
 }
 
 Json reading_json(const ReadScene& read) {
@@ -199,11 +204,12 @@ Json reading_json(const ReadScene& read) {
     json["cut"] = counts.cut;
     json["cut_along_walls"] = counts.along_walls;
     json["pieces"] = counts.pieces;
+    json["copies"] = counts.copies;
     Json warnings = Json::array();
     for (const Warning& warning : read.report.warnings)
         warnings.push_back(warning.to_string());
     json["warnings"] = warnings;
-    json["diagnosis"] = diagnosis_json(diagnose(read.scene));
+    json["diagnosis"] = diagnosis_json(diagnosis_of(read));
     return json;
 }
 
@@ -211,7 +217,7 @@ std::string reading_text(const ReadScene& read) {
     std::string text = scene_text(read.scene) + to_string(read.report.counts) + "\n";
     for (const Warning& warning : read.report.warnings)
         text += "warning: " + warning.to_string() + "\n";
-    return text + to_string(diagnose(read.scene), read.scene);
+    return text + to_string(diagnosis_of(read), read.scene);
 }
 
 std::string printed(const Json& json) {

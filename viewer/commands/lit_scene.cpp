@@ -1,12 +1,42 @@
 #include "viewer/commands/lit_scene.h"
 
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/smooth_irradiance.h"
 #include "radiance4d/scene/brdf.h"
+#include "solver/reference/random_lights.h"
 
 namespace lightwell {
 
+namespace {
+
+/// Elements that a lamp hangs so near to that their cells cannot show the spot it lights, which is
+/// as wide as the lamp is high over them.
+std::vector<std::size_t> too_near(const RadianceSpace& space, const Light& light) {
+    constexpr double cells_high = 2;
+    std::vector<std::size_t> near;
+    const auto* lamp = std::get_if<PointLight>(&light);
+    if (lamp == nullptr) return near;
+    for (std::size_t e = 0; e < space.elements().size(); ++e) {
+        const Element& element = space.element(e);
+        const Quad& quad = element.geometry;
+        const double reach =
+            cells_high * std::sqrt(element.area() / element.space.tree().functions());
+        const double height = (lamp->position - quad.vertex[0]).dot(quad.normal());
+        if (height > 0 && height < reach && distance_to(quad, lamp->position) < reach)
+            near.push_back(e);
+    }
+    return near;
+}
+
+}  // namespace
+
 LitScene::LitScene(const OpenedOperator& opened, const std::vector<Light>& lights)
     : opened_(opened),
+      lights_(lights),
       lighting_(light_scene(opened.transport, lights, opened.quads, opened.occluders,
                             Propagation::solved)),
       direct_(opened.transport.scene, opened.visibility, opened.occluders) {
@@ -15,10 +45,23 @@ LitScene::LitScene(const OpenedOperator& opened, const std::vector<Light>& light
 }
 
 FinalGather LitScene::gather(int strata) const {
-    return {opened_.transport, opened_.visibility,
-            smooth_irradiance(opened_.transport.space,
-                              RadianceField(lighting_.direct + lighting_.indirect)),
-            strata, glossy_.get()};
+    const RadianceSpace& space = opened_.transport.space;
+    RadianceField incident = lighting_.direct + lighting_.indirect;
+    ExactLamps exact{&direct_, std::vector<std::vector<Light>>(space.elements().size())};
+    for (const Light& light : lights_) {
+        const std::vector<std::size_t> near = too_near(space, light);
+        if (near.empty()) continue;
+        const RadianceField alone =
+            projected_lights(space, {light}, opened_.quads, opened_.occluders);
+        for (const std::size_t e : near) {
+            const Element& element = space.element(e);
+            incident.middleRows(element.first, element.functions()) -=
+                alone.middleRows(element.first, element.functions());
+            exact.on[e].push_back(light);
+        }
+    }
+    return {opened_.transport, opened_.visibility, smooth_irradiance(space, incident), strata,
+            glossy_.get(),     std::move(exact)};
 }
 
 SeenLight seen_light(const OpenedOperator& opened, const LitScene& lit,

@@ -26,6 +26,7 @@ class LitScene {
 
   private:
     const OpenedOperator& opened_;
+    std::vector<Light> lights_;
     Lighting lighting_;
     DirectLight direct_;
     std::unique_ptr<GlossyLight> glossy_;
