@@ -25,6 +25,7 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLGETERRORPROC>(get_error, loader, "glGetError");
     load<PFNGLGETINTEGERVPROC>(get_integerv, loader, "glGetIntegerv");
     load<PFNGLFINISHPROC>(finish, loader, "glFinish");
+    load<PFNGLFLUSHPROC>(flush, loader, "glFlush");
     load<PFNGLCREATESHADERPROC>(create_shader, loader, "glCreateShader");
     load<PFNGLSHADERSOURCEPROC>(shader_source, loader, "glShaderSource");
     load<PFNGLCOMPILESHADERPROC>(compile_shader, loader, "glCompileShader");

@@ -22,6 +22,7 @@ struct GlFunctions {
     unsigned (*get_error)() = nullptr;
     void (*get_integerv)(unsigned, int*) = nullptr;
     void (*finish)() = nullptr;
+    void (*flush)() = nullptr;
 
     unsigned (*create_shader)(unsigned) = nullptr;
     void (*shader_source)(unsigned, int, const char* const*, const int*) = nullptr;

@@ -166,6 +166,48 @@ void occlusion_query_projection(benchmark::State& state, const std::string& name
     state.counters["queries"] = static_cast<double>(projection.queries());
 }
 
+// How far the two ways of projection, and either and the exact one, are apart in the flux on a side
+// of a quad, of those that receive more than 1e-4 of all; for the scene's lamp in 20 places.
+void agreement(benchmark::State& state, const std::string& name) {
+    const BenchScene& scene = bench_scene(name);
+    const RadianceSpace& space = scene.transport.space;
+    const std::unique_ptr<GlContext> context = make_offscreen_context();
+    ShadowProjection rays(space, scene.quads, scene.occluders);
+    OcclusionQueryProjection queries(space, scene.quads, context->loader());
+    PackedField by_rays = PackedField::Zero(4, space.functions()), by_queries = by_rays;
+    // The mean radiance of an element times pi times its area.
+    const auto flux = [&](const PackedField& field, const Element& element) {
+        return M_PI * std::sqrt(element.space.area({})) *
+               static_cast<double>(field(1, element.first));
+    };
+    double ways = 0, rays_off = 0, queries_off = 0;
+    std::size_t sides = 0, far_apart = 0;
+    for (auto _ : state)
+        for (int place = 0; place < 20; ++place) {
+            rays.project(scene.lamp(5 * place), by_rays);
+            queries.project(scene.lamp(5 * place), by_queries);
+            const PackedField exact = direct_light(scene, 5 * place);
+            double all = 0;
+            for (const Element& element : space.elements())
+                all += flux(exact, element);
+            for (const Element& element : space.elements()) {
+                const double right = flux(exact, element);
+                if (!(right > 1e-4 * all)) continue;
+                const double a = flux(by_rays, element), b = flux(by_queries, element);
+                ++sides;
+                if (std::abs(a - b) > 5e-3 * right) ++far_apart;
+                ways = std::max(ways, std::abs(a - b) / right);
+                rays_off = std::max(rays_off, std::abs(a - right) / right);
+                queries_off = std::max(queries_off, std::abs(b - right) / right);
+            }
+        }
+    state.counters["sides"] = static_cast<double>(sides);
+    state.counters["0.5 % apart"] = static_cast<double>(far_apart);
+    state.counters["most apart %"] = 100 * ways;
+    state.counters["rays off %"] = 100 * rays_off;
+    state.counters["queries off %"] = 100 * queries_off;
+}
+
 void exact_projection(benchmark::State& state, const std::string& name) {
     const BenchScene& scene = bench_scene(name);
     int frame = 0;
@@ -358,6 +400,10 @@ void register_all(FrameSeconds& known) {
                   [name](benchmark::State& state) { occlusion_query_projection(state, name); }))
             ->Arg(512)
             ->Arg(1024);
+        in_ms(benchmark::RegisterBenchmark(
+                  named("Agreement", name).c_str(),
+                  [name](benchmark::State& state) { agreement(state, name); }))
+            ->Iterations(1);
         in_ms(benchmark::RegisterBenchmark(
             named("ExactProjection", name).c_str(),
             [name](benchmark::State& state) { exact_projection(state, name); }));
