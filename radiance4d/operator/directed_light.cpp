@@ -59,4 +59,13 @@ void add_directed_light(const Element& element, const Vec3& from, const Radiance
     }
 }
 
+RadianceField without_directions(const RadianceSpace& space, RadianceField field) {
+    for (const Element& element : space.elements()) {
+        const std::uint32_t angles = element.angle.functions();
+        for (std::uint32_t f = 0; f < element.functions(); ++f)
+            if (f % angles != 0) field.row(element.first + f).setZero();
+    }
+    return field;
+}
+
 }  // namespace lightwell

@@ -14,4 +14,8 @@ namespace lightwell {
 void add_directed_light(const Element& element, const Vec3& from, const RadianceField& irradiance,
                         RadianceField& field);
 
+/// The field as if what arrives at each place came evenly from all directions: how the paper takes
+/// direct light on glossy surfaces (WRT section 5.1), to compare with. Irradiance stays.
+RadianceField without_directions(const RadianceSpace& space, RadianceField field);
+
 }  // namespace lightwell

@@ -1,15 +1,21 @@
 #include "runtime/propagation/lighting.h"
 
+#include <utility>
+
+#include "radiance4d/operator/directed_light.h"
 #include "radiance4d/operator/light_projection.h"
 
 namespace lightwell {
 
 Lighting light_scene(const GlobalTransport& transport, const std::vector<Light>& lights,
                      const std::vector<Quad>& quads, const OccluderTree& occluders,
-                     Propagation propagation) {
+                     Propagation propagation, LampDirections lamps) {
     Lighting lighting;
-    lighting.direct = projected_lights(transport.space, lights, quads, occluders) +
-                      propagated(transport.bounce, emission_of(transport.scene, transport.space));
+    RadianceField projected = projected_lights(transport.space, lights, quads, occluders);
+    if (lamps == LampDirections::forgotten)
+        projected = without_directions(transport.space, std::move(projected));
+    lighting.direct =
+        projected + propagated(transport.bounce, emission_of(transport.scene, transport.space));
     switch (propagation) {
         case Propagation::stored:
             lighting.indirect = global_light(transport, lighting.direct) - lighting.direct;

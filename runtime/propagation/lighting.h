@@ -15,6 +15,10 @@ enum class Propagation {
     solved,    ///< iterated on the bounce operator until it is exact
 };
 
+/// Whether the light of lamps enters glossy surfaces from where it comes, or as if from everywhere
+/// (see without_directions).
+enum class LampDirections { kept, forgotten };
+
 /// The light in a scene for one set of lamps: half-density fields of irradiance on all elements.
 struct Lighting {
     RadianceField direct;    ///< E, from lamps and emitting quads
@@ -24,6 +28,6 @@ struct Lighting {
 /// Projects the lamps and the scene's emitting quads, and propagates them.
 Lighting light_scene(const GlobalTransport& transport, const std::vector<Light>& lights,
                      const std::vector<Quad>& quads, const OccluderTree& occluders,
-                     Propagation propagation);
+                     Propagation propagation, LampDirections lamps = LampDirections::kept);
 
 }  // namespace lightwell

@@ -205,9 +205,14 @@ void sum_directed_series(const DirectedWeights& weights, const TrialLights& trie
                          const Progress& progress, GlobalTransport& transport) {
     TruncationRule rule;
     rule.weight = weights.direct;
+    // Means keep the energy, and there are the square of the elements of them: not of the facets of
+    // a ball, which are thousands and carry next to none.
+    constexpr double smallest_share = 0.1;
+    const double smallest = smallest_share * transport.space.area() /
+                            static_cast<double>(transport.space.elements().size());
     rule.is_mean.assign(transport.space.functions(), false);
     for (const Element& element : transport.space.elements())
-        rule.is_mean[element.first] = true;
+        rule.is_mean[element.first] = element.area() >= smallest;
     const Eigen::SparseMatrix<double> propagation =
         to_matrix(transport.bounce,
                   Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(transport.space.functions())));

@@ -5,9 +5,9 @@
 //
 // prints one CSV row per eye point: relative L2 error of indirect radiance over the pixels, colours
 // together, against the path tracer, whose noise is taken off; gathered as `measure --probes` does
-// it, and read from the basis. Without --eye it is the scene's camera.
-// With --pictures the pictures themselves go to P-eye-gathered.png, P-eye-basis.png and
-// P-eye-traced.png.
+// it, read from the basis, and so with lamps' light spread as the paper does. Without --eye it is
+// the scene's camera. With --pictures the pictures themselves go to P-eye-gathered.png,
+// P-eye-basis.png and P-eye-traced.png.
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -83,13 +83,17 @@ void judge(const OpenedOperator& opened, const Camera& eye, std::size_t number,
     const LitScene lit(opened, scene.lights);
     const std::vector<SmoothSurface> surfaces =
         smooth_irradiance(opened.transport.space, lit.lighting().indirect);
+    const LitScene spread(opened, scene.lights, LampDirections::forgotten);
+    const std::vector<SmoothSurface> spread_surfaces =
+        smooth_irradiance(opened.transport.space, spread.lighting().indirect);
     const FinalGather gather = lit.gather(gather_strata(opened.transport.provenance.error_asked));
     const CameraRays rays(eye, asked.width, asked.height);
     std::vector<RadianceProbe> probes;
     for (int y = 0; y < asked.height; ++y)
         for (int x = 0; x < asked.width; ++x)
             probes.push_back({eye.position, rays.direction(x + 0.5, y + 0.5)});
-    std::vector<Rgb> gathered(probes.size()), read(probes.size()), traced(probes.size());
+    std::vector<Rgb> gathered(probes.size()), read(probes.size()), papers(probes.size()),
+        traced(probes.size());
     tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t k) {
         const auto look = [&](const FinalGather* by) {
             return seen_light(opened, lit, scene.lights, surfaces, by, probes[k].position,
@@ -98,6 +102,9 @@ void judge(const OpenedOperator& opened, const Camera& eye, std::size_t number,
         };
         gathered[k] = look(&gather);
         read[k] = look(nullptr);
+        papers[k] = seen_light(opened, spread, scene.lights, spread_surfaces, nullptr,
+                               probes[k].position, probes[k].direction)
+                        .indirect;
     });
     PathTracing how;
     how.samples = asked.samples;
@@ -105,8 +112,8 @@ void judge(const OpenedOperator& opened, const Camera& eye, std::size_t number,
         RadianceTracer(scene, opened.visibility, scene.lights).indirect(probes, how);
     for (std::size_t k = 0; k < probes.size(); ++k)
         traced[k] = survey.at[k].mean;
-    fmt::print("{},{:.4f},{:.4f},{:.4f}\n", number, deviation(gathered, survey),
-               deviation(read, survey), noise(survey));
+    fmt::print("{},{:.4f},{:.4f},{:.4f},{:.4f}\n", number, deviation(gathered, survey),
+               deviation(read, survey), deviation(papers, survey), noise(survey));
     std::cout.flush();
     if (asked.pictures.empty()) return;
     Image image(asked.width, asked.height);
@@ -141,7 +148,7 @@ int main(int argc, char** argv) {
             eyes.back().push_back(std::stod(number));
     }
     const OpenedOperator opened = open_operator(file);
-    std::cout << "eye,error_gathered,error_basis,noise\n";
+    std::cout << "eye,error_gathered,error_basis,error_spread_lamps,noise\n";
     std::size_t number = 0;
     for (const Camera& eye : eyes_of(opened.transport.scene, eyes))
         judge(opened, eye, number++, asked);

@@ -86,6 +86,29 @@ TEST(Precompute, SaysWhereItCannotFollowALobe) {
               "x,y,z,dx,dy,dz");
 }
 
+// Lamps near a glossy floor, with their light's direction and without it.
+TEST(Precompute, LetsOneCompareWithLampsThatLoseTheirDirection) {
+    const ScratchFolder folder;
+    ASSERT_EQ(lightwell({"precompute", glossy_scene(folder, "0.2"), "-o", folder / "g.gto",
+                         "--error", "0.3", "--attempts", "0"})
+                  .status,
+              0);
+    const std::string probes = folder.write("p.csv", "0.5,0.5,0.5,0,0.6,0.8\n");
+    const std::string lamp =
+        folder.write("l.toml",
+                     "[[light]]\nname = \"l\"\ntype = \"point\"\nposition = [0.1, 0.1, 0.1]\n"
+                     "intensity = 100\n");
+    Words words = {"measure", folder / "g.gto", "--probes", probes, "--lights",
+                   lamp,      "--no-gather"};
+    const ProgramRun kept = lightwell(words);
+    words.emplace_back("--spread-lamps");
+    const ProgramRun spread = lightwell(words);
+    EXPECT_EQ(kept.status + spread.status, 0) << kept.err << spread.err;
+    EXPECT_NE(kept.out, spread.out);
+    EXPECT_EQ(lightwell({"measure", folder / "g.gto", "--probes", probes, "--spread-lamps"}).status,
+              1);
+}
+
 TEST(Precompute, SaysWhatBrightMaterialsDo) {
     const ScratchFolder folder;
     const std::string scene = folder.write(

@@ -160,18 +160,27 @@ CLI::App* add_measure(CLI::App& app, Requests& requests) {
     add_value(*command, "--grid", "NAME", "a sensor grid of the scene, instead of a file",
               [&request](const std::string& text) { request.grid = text; })
         ->excludes(sensors);
-    add_value(
-        *command, "--probes", "P.csv",
-        "rows of x,y,z,dx,dy,dz: radiance seen from a point along a direction, instead of lux",
-        [&request](const std::string& text) { request.probes = text; })
-        ->excludes(sensors);
+    CLI::Option* probes =
+        add_value(
+            *command, "--probes", "P.csv",
+            "rows of x,y,z,dx,dy,dz: radiance seen from a point along a direction, instead of lux",
+            [&request](const std::string& text) { request.probes = text; })
+            ->excludes(sensors);
     add_lights(*command, request.lights);
     command
         ->add_option("-o,--output", request.output, "CSV file to write; standard output by default")
         ->type_name("OUT.csv");
-    command->add_flag_callback(
+    CLI::Option* no_gather = command->add_flag_callback(
         "--no-gather", [&request] { request.gather = false; },
         "read indirect light from the basis, without the final gather at each sensor");
+    command
+        ->add_flag_callback(
+            "--spread-lamps", [&request] { request.spread_lamps = true; },
+            "take lamps' light on glossy surfaces as if it came from everywhere, as the paper "
+            "does, "
+            "to compare with; for --probes with --no-gather")
+        ->needs(probes)
+        ->needs(no_gather);
     add_threads(*command, requests);
     return command;
 }

@@ -34,11 +34,12 @@ std::vector<std::size_t> too_near(const RadianceSpace& space, const Light& light
 
 }  // namespace
 
-LitScene::LitScene(const OpenedOperator& opened, const std::vector<Light>& lights)
+LitScene::LitScene(const OpenedOperator& opened, const std::vector<Light>& lights,
+                   LampDirections lamps)
     : opened_(opened),
       lights_(lights),
       lighting_(light_scene(opened.transport, lights, opened.quads, opened.occluders,
-                            Propagation::solved)),
+                            Propagation::solved, lamps)),
       direct_(opened.transport.scene, opened.visibility, opened.occluders) {
     if (has_angles(opened.transport.space))
         glossy_ = std::make_unique<GlossyLight>(opened.transport, direct_, lights, lighting_);

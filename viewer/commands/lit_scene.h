@@ -13,7 +13,8 @@ namespace lightwell {
 class LitScene {
   public:
     /// Keeps references to both.
-    LitScene(const OpenedOperator& opened, const std::vector<Light>& lights);
+    LitScene(const OpenedOperator& opened, const std::vector<Light>& lights,
+             LampDirections lamps = LampDirections::kept);
     LitScene(const LitScene&) = delete;
     LitScene& operator=(const LitScene&) = delete;
 

@@ -107,8 +107,9 @@ std::vector<Reading> readings(const OpenedOperator& opened, const std::vector<Li
 
 /// What probes see [cd/m2].
 std::vector<Reading> looks(const OpenedOperator& opened, const std::vector<Light>& lights,
-                           const std::vector<LookingPoint>& probes, bool gather) {
-    const LitScene lit(opened, lights);
+                           const std::vector<LookingPoint>& probes, bool gather,
+                           LampDirections lamps) {
+    const LitScene lit(opened, lights, lamps);
     const std::vector<SmoothSurface> surfaces =
         smooth_irradiance(opened.transport.space, lit.lighting().indirect);
     const FinalGather last_bounce =
@@ -148,7 +149,9 @@ void run_measure(const MeasureRequest& request) {
     std::string text;
     if (request.probes) {
         const std::vector<LookingPoint> probes = read_probes_csv(*request.probes);
-        const std::vector<Reading> seen = looks(opened, lights, probes, request.gather);
+        const std::vector<Reading> seen =
+            looks(opened, lights, probes, request.gather,
+                  request.spread_lamps ? LampDirections::forgotten : LampDirections::kept);
         text = "x,y,z,dx,dy,dz,direct_r,direct_g,direct_b,indirect_r,indirect_g,indirect_b,cd_m2\n";
         for (std::size_t k = 0; k < probes.size(); ++k)
             text += row(probes[k].position, probes[k].direction, seen[k]);

@@ -13,6 +13,9 @@ struct MeasureRequest {
     std::optional<std::string> probes;   ///< ... or a file of radiance probes
     std::optional<std::string> lights;   ///< a file of lights; the scene's own if not given
     std::string output;                  ///< a CSV file; standard output if empty
+    /// Probes without a gather: whether the light of lamps forgets its direction on glossy
+    /// surfaces.
+    bool spread_lamps = false;
     bool gather = true;  ///< a final gather at each sensor, or the smoothed basis as it is
 };
 

@@ -110,5 +110,23 @@ TEST(DirectedLight, KeepsIrradianceAndDirection) {
     EXPECT_EQ(field.topRows(element.first).abs().maxCoeff(), 0);
 }
 
+// As the paper takes it: the same irradiance, from everywhere alike.
+TEST(DirectedLight, ForgetsDirectionsAndKeepsIrradiance) {
+    const ThreeSides sides;
+    const RadianceField field = numbers(sides.space.functions());
+    const RadianceField spread = without_directions(sides.space, field);
+    for (std::size_t e = 0; e < sides.space.elements().size(); ++e)
+        EXPECT_LT((cell_irradiance(sides.space, e, spread) - cell_irradiance(sides.space, e, field))
+                      .abs()
+                      .maxCoeff(),
+                  1e-12);
+    const Element& glossy = sides.space.element(1);
+    for (std::uint32_t f = 0; f < glossy.functions(); ++f)
+        if (f % 16 != 0) {
+            EXPECT_EQ(spread.row(glossy.first + f).abs().maxCoeff(), 0) << f;
+        }
+    EXPECT_TRUE((spread.topRows(glossy.first) == field.topRows(glossy.first)).all());
+}
+
 }  // namespace
 }  // namespace lightwell
