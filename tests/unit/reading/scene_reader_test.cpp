@@ -12,14 +12,15 @@ using testing::input_error_of;
 using testing::TemporaryFolder;
 
 const std::string square = "v 0 0 0\nv 200 0 0\nv 200 100 0\nv 0 100 0\n";
+const std::string square_above = "v 0 0 50\nv 200 0 50\nv 200 100 50\nv 0 100 50\n";
 
 /// A folder with an OBJ of one face each of the materials red, lamp and unknown.
 class SceneReader : public ::testing::Test {
   protected:
     void SetUp() override {
         folder.write("room.mtl", "newmtl red\nKd 0.8 0.1 0.1\nnewmtl lamp\nKd 0 0 0\nKe 5 6 7\n");
-        folder.write("room.obj", "mtllib room.mtl\n" + square +
-                                     "usemtl red\nf 1 2 3 4\nusemtl lamp\nf 4 3 2 1\n");
+        folder.write("room.obj", "mtllib room.mtl\n" + square + square_above +
+                                     "usemtl red\nf 1 2 3 4\nusemtl lamp\nf 8 7 6 5\n");
     }
 
     ReadScene read(const std::string& toml) { return read_scene(folder.write("scene.toml", toml)); }
@@ -43,7 +44,7 @@ TEST_F(SceneReader, ReadsABareObjWithItsMaterials) {
     EXPECT_TRUE((read.scene.material_of(1).emission == Rgb(5, 6, 7)).all());
     EXPECT_EQ(read.scene.material_of(1).reflecting, Sides::both);
     EXPECT_EQ(read.scene.material_of(1).emitting, Sides::front);
-    EXPECT_EQ(read.scene.quads[1].line, 9);
+    EXPECT_EQ(read.scene.quads[1].line, 13);
     EXPECT_TRUE(read.report.warnings.empty());
     EXPECT_EQ(read.scene.up, Vec3::UnitZ());
 }
@@ -134,8 +135,8 @@ TEST_F(SceneReader, KnowsEveryUnit) {
 }
 
 TEST_F(SceneReader, TakesGreyForMissingMaterialsAndSaysSo) {
-    const std::string file = folder.write(
-        "bare.obj", "mtllib none.mtl\n" + square + "f 1 2 3 4\nusemtl blue\nf 1 2 3 4\n");
+    const std::string file = folder.write("bare.obj", "mtllib none.mtl\n" + square + square_above +
+                                                          "f 1 2 3 4\nusemtl blue\nf 5 6 7 8\n");
     const ReadScene read = read_scene(file);
     for (int quad : {0, 1}) {
         EXPECT_TRUE((read.scene.material_of(quad).reflectance == 0.5).all());
@@ -150,7 +151,7 @@ TEST_F(SceneReader, TakesGreyForMissingMaterialsAndSaysSo) {
 }
 
 TEST_F(SceneReader, TakesTheDefaultMaterialWhereThereIsOne) {
-    folder.write("bare.obj", square + "f 1 2 3 4\nusemtl blue\nf 1 2 3 4\n");
+    folder.write("bare.obj", square + square_above + "f 1 2 3 4\nusemtl blue\nf 5 6 7 8\n");
     const ReadScene read = this->read(
         "geometry = \"bare.obj\"\ndefault_material = \"plaster\"\n"
         "[material.plaster]\nreflectance = [0.9, 0.8, 0.7]\n");
@@ -246,8 +247,8 @@ TEST_F(SceneReader, FindsMaterialFilesWhoseNamesHaveBlanks) {
     for (const std::string library :
          {"my room.mtl\nmtllib b.mtl", "none.mtl my\\ room.mtl b.mtl"}) {
         const ReadScene read = read_scene(
-            folder.write("a.obj", "mtllib " + library + "\n" + square +
-                                      "usemtl white\nf 1 2 3 4\nusemtl black\nf 1 2 3 4\n"));
+            folder.write("a.obj", "mtllib " + library + "\n" + square + square_above +
+                                      "usemtl white\nf 1 2 3 4\nusemtl black\nf 5 6 7 8\n"));
         EXPECT_TRUE((read.scene.material_of(0).reflectance == 1).all()) << library;
         EXPECT_TRUE((read.scene.material_of(1).reflectance == 0).all()) << library;
     }
