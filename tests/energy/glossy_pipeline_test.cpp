@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/basis/direction_map.h"
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "solver/precompute.h"
+#include "solver/radiance_bounce.h"
 #include "solver/reference/radiance_tracer.h"
 #include "tests/unit/reference/rooms.h"
 
@@ -49,6 +52,32 @@ RadianceField uniform(const RadianceSpace& space) {
     return one;
 }
 
+/// 1 - a(w) on all surfaces, of the materials' exact albedo: means over cells of directions.
+RadianceField furnace_emission(const Scene& scene, const RadianceSpace& space) {
+    RadianceField field = RadianceField::Zero(space.functions(), 3);
+    for (const Element& element : space.elements()) {
+        const int levels = element.angle.levels();
+        const Material& material = scene.material_of(element.quad);
+        const int points = 64 >> levels;
+        RowMatrix means = RowMatrix::Zero(element.angle.functions(), 3);
+        for (std::uint32_t m = 0; m < element.angle.functions(); ++m) {
+            const ParameterRect r = element.angle.rect({levels, m});
+            for (int i = 0; i < points; ++i)
+                for (int j = 0; j < points; ++j)
+                    means.row(m) +=
+                        (1 - albedo(material, direction_from_square(
+                                                  {r.u0 + (i + 0.5) / points * (r.u1 - r.u0),
+                                                   r.v0 + (j + 0.5) / points * (r.v1 - r.v0)})[2]))
+                            .matrix()
+                            .transpose();
+        }
+        means *= std::sqrt(element.area() / element.angle.functions()) / (points * points);
+        angular_basis(levels).analyse(means, levels);
+        field.middleRows(element.first, means.rows()) = means.array();
+    }
+    return field;
+}
+
 /// Cells so wide that the narrowest lobe takes seconds.
 class AnyLobe : public ::testing::TestWithParam<Lobe> {
   protected:
@@ -60,7 +89,7 @@ class AnyLobe : public ::testing::TestWithParam<Lobe> {
 // et al. 2001).
 TEST_P(AnyLobe, IsInAFurnace) {
     const RadianceField one = uniform(transport.space);
-    const RadianceField emitted = one - reflected(transport, one);
+    const RadianceField emitted = furnace_emission(scene, transport.space);
     const RadianceField direct = propagated(transport.bounce, emitted);
     const RadianceField light = direct + solved_light(transport, direct);
     EXPECT_LT((light - one).matrix().norm() / one.matrix().norm(), 0.005);
@@ -157,6 +186,16 @@ TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
     };
     EXPECT_LT(error_of(seen), 0.1);
     EXPECT_LT(error_of(seen_stored), 0.1);
+}
+
+// Broad ones, too, however little their directions change the light of others.
+TEST(GlossyEstimate, GivesEveryLobeDirections) {
+    for (const double error : {0.02, 0.05, 0.3})
+        for (const Lobe& lobe : {phong(1), ggx(1)})
+            EXPECT_GE(
+                angular_needs(room_with_floor(lobe, 0.1), angular_resolution(error)).front().level,
+                2)
+                << error;
 }
 
 // What was reached stands in the operator, be it what was asked for or not.
