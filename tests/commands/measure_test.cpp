@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/quad.h"
 #include "tests/commands/program.h"
 
 namespace lightwell {
@@ -116,6 +117,46 @@ TEST(Measure, FluxOfALampArrivesOnTheWalls) {
         }
     // The midpoint rule's own error with 40 x 40 points a wall is below 2e-4.
     EXPECT_NEAR(flux, 10000, 2);
+}
+
+/// Light by way of a floor [0,4]^2 of albedo rho, from a lamp over it, on a wall in the plane x =
+/// 0.
+double by_way_of_the_floor(double rho, const Vec3& lamp, double candela, const Vec3& sensor) {
+    constexpr int steps = 4000;
+    constexpr double step = 4.0 / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            const Vec3 y((i + 0.5) * step, (j + 0.5) * step, 0);
+            const Vec3 to_lamp = lamp - y, to_sensor = sensor - y;
+            const double e = candela * to_lamp[2] / std::pow(to_lamp.norm(), 3);
+            sum += e * to_sensor[2] * y[0] / std::pow(to_sensor.squaredNorm(), 2);
+        }
+    return rho / M_PI * sum * step * step;
+}
+
+// The spot that a lamp lights from 4 cm is smaller than a cell, and the sensor is as near to it.
+TEST(Measure, LampsCloseToASurfaceAreExactThere) {
+    const ScratchFolder folder;
+    folder.write("two.obj",
+                 "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 0 4 3\n"
+                 "usemtl floor\nf 1 2 3 4\nusemtl wall\nf 1 4 6 5\n");
+    const std::string scene = folder.write(
+        "two.toml",
+        "geometry = \"two.obj\"\n[material.floor]\nreflectance = 0.5\n[material.wall]\n"
+        "reflectance = 0.001\n[[light]]\nname = \"lamp\"\ntype = \"point\"\n"
+        "position = [0.15, 2.03, 0.04]\nintensity = 10\n");
+    const std::string file = folder / "two.gto";
+    ASSERT_EQ(
+        lightwell({"precompute", scene, "-o", file, "--error", "0.1", "--attempts", "0"}).status,
+        0);
+    for (const double height : {0.05, 0.1, 0.5}) {
+        const Vec3 sensor(0, 2, height);
+        const double exact = by_way_of_the_floor(0.5, {0.15, 2.03, 0.04}, 10, sensor);
+        const double read =
+            measured(folder, file, fmt::format("0,2,{},1,0,0\n", height))[0].at("indirect_g");
+        EXPECT_NEAR(read, exact, 0.03 * exact) << height;
+    }
 }
 
 // CIE 171:2006, 5.8: mean indirect illuminance of an integrating cube, Phi rho / (S (1 - rho)).
