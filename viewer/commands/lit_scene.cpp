@@ -42,7 +42,7 @@ LitScene::LitScene(const OpenedOperator& opened, const std::vector<Light>& light
                             Propagation::solved, lamps)),
       direct_(opened.transport.scene, opened.visibility, opened.occluders) {
     if (has_angles(opened.transport.space))
-        glossy_ = std::make_unique<GlossyLight>(opened.transport, direct_, lights, lighting_);
+        glossy_ = std::make_unique<GlossyLight>(opened.transport, direct_, lights_, lighting_);
 }
 
 FinalGather LitScene::gather(int strata) const {

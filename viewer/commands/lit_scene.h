@@ -12,7 +12,7 @@ namespace lightwell {
 /// All the light in a scene for one set of lamps, solved, and what a final gather reads of it.
 class LitScene {
   public:
-    /// Keeps references to both.
+    /// Keeps a reference to the operator.
     LitScene(const OpenedOperator& opened, const std::vector<Light>& lights,
              LampDirections lamps = LampDirections::kept);
     LitScene(const LitScene&) = delete;
