@@ -19,39 +19,11 @@
 #include "radiance4d/operator/reflection.h"
 #include "runtime/outgoing/brdf_product.h"
 #include "solver/radiance_bounce.h"
-#include "solver/reference/radiance_tracer.h"
+#include "tests/bench/glossy_room.h"
 #include "tests/unit/reference/rooms.h"
 
 namespace lightwell {
 namespace {
-
-Scene room_with_floor(const Lobe& lobe) {
-    std::array<Rgb, 6> rho;
-    rho.fill(Rgb::Constant(0.5));
-    rho[x0] = Rgb(0.63, 0.06, 0.05);
-    rho[x1] = Rgb(0.14, 0.45, 0.09);
-    rho[floor_z0] = Rgb::Constant(0.1);
-    Scene scene = box_scene({3, 2, 2.5}, rho);
-    add_block(scene, {0.75, 0.8, 0.0}, {1.5, 1.4, 1.0}, Rgb(0.2, 0.3, 0.7));
-    for (Material& material : scene.materials)
-        material.reflecting = Sides::front;
-    scene.materials[floor_z0].lobe = lobe;
-    return scene;
-}
-
-/// Where eyes look at the floor, and which points of it they see.
-std::vector<RadianceProbe> probes_of(const Visibility& visibility) {
-    std::vector<RadianceProbe> probes;
-    for (const Vec3& eye : {Vec3(0.3, 1.0, 1.6), Vec3(2.7, 0.3, 1.2), Vec3(1.5, 1.8, 2.2)})
-        for (int i = 0; i < 16; ++i)
-            for (int j = 0; j < 12; ++j) {
-                const Vec3 at((i + 0.37) / 16 * 3, (j + 0.41) / 12 * 2, 0);
-                const RadianceProbe probe{eye, (at - eye).normalized()};
-                if (visibility.nearest(eye, free_point, probe.direction).quad == floor_z0)
-                    probes.push_back(probe);
-            }
-    return probes;
-}
 
 /// Relative root mean square error of luminance, with the judge's noise taken off.
 double deviation(const std::vector<double>& seen, const LightSurvey& survey) {

@@ -20,6 +20,7 @@
 #include "radiance4d/operator/smooth_irradiance.h"
 #include "runtime/drawing/camera_rays.h"
 #include "solver/reference/radiance_tracer.h"
+#include "tests/bench/glossy_room.h"
 #include "viewer/commands/lit_scene.h"
 #include "viewer/commands/measure_command.h"
 #include "viewer/images/image_file.h"
@@ -45,17 +46,6 @@ std::vector<Camera> eyes_of(const Scene& scene, const std::vector<std::vector<do
     }
     if (eyes.empty()) eyes.push_back(own);
     return eyes;
-}
-
-/// Relative root mean square error with the judge's noise taken off.
-double deviation(const std::vector<Rgb>& seen, const LightSurvey& survey) {
-    double off = 0, squares = 0;
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-        off += (seen[k] - survey.at[k].mean).square().sum() -
-               survey.at[k].standard_error.square().sum();
-        squares += survey.at[k].mean.square().sum();
-    }
-    return squares > 0 ? std::sqrt(std::max(0.0, off) / squares) : 0;
 }
 
 double noise(const LightSurvey& survey) {
