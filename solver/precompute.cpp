@@ -192,13 +192,18 @@ GlobalTransport precompute_alike(const Scene& scene, bool glossy, const Precompu
     return attempts.take();
 }
 
+/// Whether any quad is glossy; materials that nothing is made of cost nothing.
+bool has_gloss(const Scene& scene) {
+    for (std::size_t q = 0; q < scene.quads.size(); ++q)
+        if (is_glossy(scene.material_of(static_cast<int>(q)))) return true;
+    return false;
+}
+
 }  // namespace
 
 GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
                            const Progress& progress, PrecomputeReport& report) {
-    const bool glossy =
-        std::any_of(scene.materials.begin(), scene.materials.end(), is_glossy) && !options.diffuse;
-    if (glossy) {
+    if (has_gloss(scene) && !options.diffuse) {
         PrecomputeOptions by_directions = options;
         by_directions.oracle = OracleKind::geometric;
         return precompute_alike(scene, true, by_directions, progress, report);

@@ -198,6 +198,59 @@ TEST(GlossyEstimate, GivesEveryLobeDirections) {
                 << error;
 }
 
+/// What all coefficients, before any is left out, make of uniform radiance.
+RadianceField propagated_uniform(const DirectedBounce& bounce) {
+    const RadianceField one = uniform(bounce.space);
+    RadianceField result = RadianceField::Zero(one.rows(), 3);
+    for (const Coefficient& c : bounce.coefficients) {
+        const auto value = static_cast<double>(c.value);
+        result.row(c.row) += value * one.row(c.column);
+        if (c.row != c.column) result.row(c.column) += value * one.row(c.row);
+    }
+    return result;
+}
+
+// The coefficients themselves fill every direction of every cell, not only what is left of them
+// after truncation, which repairs uniform light and would hide where single directions are off.
+TEST(DirectedBounce, FillsEveryDirectionBeforeAnythingIsLeftOut) {
+    const Scene scene = room_with_floor(phong(5), 0.1);
+    OracleCost cost;
+    const Ground ground(scene, cost);
+    RadianceBounceOptions options;
+    options.cell_size = 0.7;
+    const DirectedBounce bounce = directed_bounce(ground, options, {}, cost);
+    ASSERT_GT(bounce.directed_links, 0U);
+    const RadianceField one = uniform(bounce.space);
+    const double off = (propagated_uniform(bounce) - one).matrix().norm() / one.matrix().norm();
+    EXPECT_LT(off, 0.001);
+    // It is the closing that does it.
+    EXPECT_GT(bounce.directions_off, 4 * off);
+}
+
+void expect_equal(const TransportOperator& a, const TransportOperator& b) {
+    EXPECT_EQ(a.size, b.size);
+    EXPECT_EQ(a.column_start, b.column_start);
+    EXPECT_EQ(a.row, b.row);
+    EXPECT_EQ(a.value, b.value);
+}
+
+// Gloss costs a scene without it nothing: what it computes is the same, coefficient by coefficient,
+// with a glossy material at hand that no quad is made of.
+TEST(Gloss, LeavesDiffuseScenesAlone) {
+    Scene scene = room_with_floor(NoLobe{}, 0.3);
+    const GlobalTransport plain = computed(scene);
+    Material varnish = scene.materials.front();
+    varnish.name = "varnish";
+    varnish.lobe = phong(20);
+    scene.materials.push_back(varnish);
+    const GlobalTransport beside_gloss = computed(scene);
+    EXPECT_FALSE(has_angles(beside_gloss.space));
+    expect_equal(plain.bounce.upper, beside_gloss.bounce.upper);
+    ASSERT_EQ(plain.indirect.size(), beside_gloss.indirect.size());
+    for (std::size_t c = 0; c < plain.indirect.size(); ++c)
+        expect_equal(plain.indirect[c], beside_gloss.indirect[c]);
+}
+
 // What was reached stands in the operator, be it what was asked for or not.
 TEST(GlossyEstimate, SaysHowFarTheBasisIsOff) {
     const Scene scene = room_with_floor(phong(20), 0.1);
