@@ -7,6 +7,11 @@ namespace lightwell {
 
 namespace {
 
+/// Rings of buried cells that carry on the light beside them: as many as the reconstruction of an
+/// open cell looks at. Further in it is dark, as a ray into a gap that cells are too coarse for
+/// would find it.
+constexpr int rings = 2;
+
 /// Gives buried cells values, ring by ring from the open ones, so that reconstruction does not pull
 /// the open cells beside them down to the darkness that nobody sees.
 class BuriedCells {
@@ -21,17 +26,16 @@ class BuriedCells {
     }
 
     void fill() {
-        for (bool changed = true; changed;) {
-            changed = false;
+        for (int ring = 0; ring < rings; ++ring) {
             std::vector<char> next = known_;
             for (int j = 0; j < rows_; ++j)
                 for (int i = 0; i < columns_; ++i)
-                    if (!is_known(i, j) && continues(i, j)) {
-                        next[cell(i, j)] = 1;
-                        changed = true;
-                    }
+                    if (!is_known(i, j) && continues(i, j)) next[cell(i, j)] = 1;
             known_ = std::move(next);
         }
+        for (int j = 0; j < rows_; ++j)
+            for (int i = 0; i < columns_; ++i)
+                if (!is_known(i, j)) means_.row(cell(i, j)).setZero();
     }
 
   private:

@@ -52,6 +52,8 @@ FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& vis
 Rgb FinalGather::reflected(std::size_t element, const Vec3& at) const {
     const Element& met = transport_.space.element(element);
     const Vec2 uv = met.geometry.parameters(at);
+    // Pictures carry on the light where something stands; a ray that gets there finds a dark gap.
+    if (!met.is_sample_open(uv[0], uv[1])) return Rgb::Zero();
     Rgb irradiance = incident_[element].at(uv[0], uv[1]);
     if (!exact_.on.empty())
         for (const Light& lamp : exact_.on[element])

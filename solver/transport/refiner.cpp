@@ -135,6 +135,12 @@ std::vector<int> occluders_between(const Element& x, const Vec3& normal_x, const
     return found;
 }
 
+/// Whether no light reaches any of it: it forms no links.
+bool is_buried(const Element& element) {
+    return !element.open.empty() && std::all_of(element.open.begin(), element.open.end(),
+                                                [](OpenMask mask) { return mask == 0; });
+}
+
 bool has_part_in_front(const Quad& quad, const Vec3& n, const Vec3& on_plane, double tolerance) {
     for (const Vec3& corner : quad.vertex)
         if (n.dot(corner - on_plane) > tolerance) return true;
@@ -150,7 +156,9 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
     const std::size_t n = elements.size();
     std::vector<Vec3> normal(n);
     std::vector<double> tolerance(n);
+    std::vector<char> buried(n);
     for (std::size_t e = 0; e < n; ++e) {
+        buried[e] = is_buried(elements[e]);
         normal[e] = elements[e].geometry.normal();
         tolerance[e] = coplanar_share * Facet::of(elements[e].geometry, normal[e]).reach();
     }
@@ -161,6 +169,7 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
         progress.check();
         for (std::size_t j = i + 1; j < n; ++j) {
+            if (buried[i] || buried[j]) continue;
             const Element& x = elements[i];
             const Element& y = elements[j];
             if (!has_part_in_front(x.geometry, normal[j], y.geometry.vertex[0], tolerance[i]) ||

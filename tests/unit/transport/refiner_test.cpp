@@ -88,6 +88,18 @@ TEST(Refiner, ElementsThatDoNotFaceGetNoLinks) {
                     .empty());
 }
 
+TEST(Refiner, BuriedElementsGetNoLinks) {
+    const std::vector<Quad> walls = testing::box_walls({3, 2, 1});
+    std::vector<Element> elements = testing::uniform_elements(walls, 1);
+    elements[2].set_space(CellTree(elements[2].space.tree()), std::vector<OpenMask>(4, 0));
+    elements[3].set_space(CellTree(elements[3].space.tree()), {0, 0, 1, 0});
+    OracleCost cost;
+    const auto pairs = refine_links(elements, walls, OccluderTree(walls), LotOracle(1), {}, cost);
+    EXPECT_EQ(pairs.size(), 10U) << "those of the five others";
+    for (const PairLinks& pair : pairs)
+        EXPECT_TRUE(pair.receiver != 2 && pair.sender != 2);
+}
+
 struct BoxLinks {
     std::vector<Element> elements;
     std::vector<PairLinks> pairs;
