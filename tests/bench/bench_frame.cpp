@@ -157,8 +157,8 @@ void occlusion_query_projection(benchmark::State& state, const std::string& name
     const std::unique_ptr<GlContext> context = make_offscreen_context();
     OcclusionQueryOptions options;
     options.side = static_cast<int>(state.range(0));
-    OcclusionQueryProjection projection(scene.transport.space, scene.quads, context->loader(),
-                                        options);
+    OcclusionQueryProjection projection(scene.transport.space, scene.quads, scene.occluders,
+                                        context->loader(), options);
     PackedField direct = PackedField::Zero(4, scene.transport.space.functions());
     int frame = 0;
     for (auto _ : state)
@@ -173,7 +173,7 @@ void agreement(benchmark::State& state, const std::string& name) {
     const RadianceSpace& space = scene.transport.space;
     const std::unique_ptr<GlContext> context = make_offscreen_context();
     ShadowProjection rays(space, scene.quads, scene.occluders);
-    OcclusionQueryProjection queries(space, scene.quads, context->loader());
+    OcclusionQueryProjection queries(space, scene.quads, scene.occluders, context->loader());
     PackedField by_rays = PackedField::Zero(4, space.functions()), by_queries = by_rays;
     // The mean radiance of an element times pi times its area.
     const auto flux = [&](const PackedField& field, const Element& element) {

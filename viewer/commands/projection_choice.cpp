@@ -38,7 +38,8 @@ ChosenProjection chosen_projection(const OpenedOperator& opened, const GlLoader&
     if (way != ProjectionWay::queries)
         ways.push_back(std::make_unique<ShadowProjection>(space, opened.quads, opened.occluders));
     if (way != ProjectionWay::rays)
-        ways.push_back(std::make_unique<OcclusionQueryProjection>(space, opened.quads, loader));
+        ways.push_back(std::make_unique<OcclusionQueryProjection>(space, opened.quads,
+                                                                  opened.occluders, loader));
     if (way != ProjectionWay::fastest) return {std::move(ways[0]), way};
     const LightProjection* const by_rays = ways[0].get();
     std::unique_ptr<LightProjection> fastest =

@@ -25,7 +25,8 @@ class OcclusionQueries : public ::testing::Test {
   protected:
     RadianceField projected(const LitRoom& room, const std::vector<Light>& lights,
                             const OcclusionQueryOptions& options = {}) {
-        OcclusionQueryProjection projection(room.space, room.quads, context_->loader(), options);
+        OcclusionQueryProjection projection(room.space, room.quads, room.occluders,
+                                            context_->loader(), options);
         PackedField direct = PackedField::Constant(4, room.space.functions(), 1e6F);
         projection.project(lights, direct);
         EXPECT_TRUE((direct.row(3) == 0).all());
@@ -89,6 +90,26 @@ TEST_F(OcclusionQueries, AQuadInThePlaneOfAnotherDoesNotHideIt) {
     const LitRoom room = lit_room({floor, patch}, 0.25);
     const std::vector<Light> light = {lamp(Vec3(0.9, 1.3, 1.7))};
     expect_same_flux(room, projected(room, light), room.truth(light), 1e-3, 1e-3, "patch");
+}
+
+// A plate behind a bar, and the wall behind a slit of 4 cm: some 50 and 6 pixels of a face of the
+// cube.
+TEST_F(OcclusionQueries, CountSmallAndNearlyDarkSidesAsExactlyAsOthers) {
+    const auto upright = [](double x, double y0, double y1, double z0, double z1) {
+        return Quad{{Vec3(x, y0, z0), Vec3(x, y0, z1), Vec3(x, y1, z1), Vec3(x, y1, z0)}};
+    };
+    std::vector<Quad> quads = box_walls(Vec3::Zero(), Vec3(6, 3, 3));
+    quads.push_back(upright(3.6, 1, 1.31, 1.03, 1.33));
+    quads.push_back(upright(3.5, 0.9, 1.4, 1.08, 1.12));
+    quads.push_back(upright(4, 0, 1.83, 0, 3));
+    quads.push_back(upright(4, 1.87, 3, 0, 3));
+    const LitRoom room = lit_room(quads, 0.2);
+    for (const Vec3& place : {Vec3(0.4, 1.217, 1.62), Vec3(0.9, 2.37, 2.71)}) {
+        const std::vector<Light> light = {lamp(place)};
+        std::ostringstream name;
+        name << "lamp at " << place.transpose();
+        expect_same_flux(room, projected(room, light), room.truth(light), 5e-3, 2e-3, name.str());
+    }
 }
 
 TEST_F(OcclusionQueries, LightsAddUp) {

@@ -1,10 +1,11 @@
-#include "runtime/projection/cube_depth.h"
+#include "runtime/projection/lamp_depth.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <GL/glcorearb.h>
 
 #include "radiance4d/failure.h"
@@ -13,19 +14,20 @@ namespace lightwell {
 
 namespace {
 
-// Seen along a face's axis, with 45 degrees to each side. For the plane n.x = d the inverse depth
-// along the ray (X, Y, 1) is n / d . (X, Y, 1): the same bits for a quad and for any part of it.
+// For the plane n.x = d the inverse depth along the ray (X, Y, 1) is n / d . (X, Y, 1), with n seen
+// as planes are: the same bits for a quad and for any part of it.
 constexpr const char* vertex_shader = R"(#version 330 core
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 base;
 flat out vec3 seen_plane;
 uniform vec3 lamp;
-uniform mat3 face;
+uniform mat3 view;
+uniform mat3 view_of_planes;
 uniform float nearest;
 void main() {
-    vec3 seen = face * (corner - lamp);
-    seen_plane = face * normal / dot(normal, base - lamp);
+    vec3 seen = view * (corner - lamp);
+    seen_plane = view_of_planes * normal / dot(normal, base - lamp);
     gl_Position = vec4(seen.xy, seen.z - 2.0 * nearest, seen.z);
 }
 )";
@@ -46,8 +48,8 @@ constexpr double nearest_part = 1e-5;
 constexpr float nearer = 1 + 4e-6F;
 
 /// Queries between two flushes: processors that draw (llvmpipe) miscount, by any amount, where more
-/// pixels have piled up than a query began with room for.
-constexpr std::size_t most_together = 64;
+/// work has piled up than a query began with room for. 32 were seen to be few enough.
+constexpr std::size_t most_together = 16;
 
 struct Vertex {
     std::array<float, 3> corner, normal, base;
@@ -61,20 +63,9 @@ std::array<float, 3> as_floats(const Vec3& v) {
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
-/// The rows are a face's right, top and forward.
-Eigen::Matrix3d frame_of_face(int face) {
-    const double sign = face % 2 == 0 ? 1 : -1;
-    const int axis = face / 2;
-    Eigen::Matrix3d frame = Eigen::Matrix3d::Zero();
-    frame(0, (axis + 1) % 3) = 1;
-    frame(1, (axis + 2) % 3) = 1;
-    frame(2, axis) = sign;
-    return frame;
-}
-
 }  // namespace
 
-CubeDepth::CubeDepth(const std::vector<Quad>& quads, const std::vector<Quad>& parts,
+LampDepth::LampDepth(const std::vector<Quad>& quads, const std::vector<Quad>& parts,
                      const std::vector<int>& quad_of, int side, const GlLoader& loader)
     : gl_(loader),
       side_(side),
@@ -138,11 +129,11 @@ CubeDepth::CubeDepth(const std::vector<Quad>& quads, const std::vector<Quad>& pa
     if (status != GL_FRAMEBUFFER_COMPLETE) throw SystemError("OpenGL cannot draw what a lamp sees");
 }
 
-CubeDepth::~CubeDepth() {
+LampDepth::~LampDepth() {
     if (!names_.empty()) gl_.delete_queries(static_cast<int>(names_.size()), names_.data());
 }
 
-void CubeDepth::begin(bool counts_hidden, bool is_depth_kept) {
+void LampDepth::begin(bool counts_hidden, bool is_depth_kept) {
     gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     for (const unsigned feature : {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST,
                                    GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL})
@@ -159,34 +150,39 @@ void CubeDepth::begin(bool counts_hidden, bool is_depth_kept) {
                   static_cast<float>(nearest_part * extent_));
 }
 
-void CubeDepth::end() const {
+void LampDepth::end() const {
     gl_.depth_mask(GL_TRUE);
     gl_.bind_vertex_array(0);
     gl_.use_program(0);
     gl_.bind_framebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void CubeDepth::select_face(int face, float nearness) {
-    const int left = face % 3 * side_, top = face / 3 * side_;
+void LampDepth::select_view(std::size_t view, float nearness) {
+    const int left = static_cast<int>(view) % 3 * side_, top = static_cast<int>(view) / 3 * side_;
     gl_.viewport(left, top, side_, side_);
     // OpenGL's matrices have their columns one after the other, as Eigen's do.
-    const Eigen::Matrix3f frame = frame_of_face(face).cast<float>();
-    gl_.uniform_matrix3fv(gl_.get_uniform_location(program_.name(), "face"), 1, GL_FALSE,
-                          frame.data());
+    const Eigen::Matrix3f points = views_[view].seen.cast<float>();
+    const Eigen::Matrix3f planes = views_[view].seen.inverse().transpose().cast<float>();
+    gl_.uniform_matrix3fv(gl_.get_uniform_location(program_.name(), "view"), 1, GL_FALSE,
+                          points.data());
+    gl_.uniform_matrix3fv(gl_.get_uniform_location(program_.name(), "view_of_planes"), 1, GL_FALSE,
+                          planes.data());
     const float half = 0.5F * static_cast<float>(side_);
     gl_.uniform4f(gl_.get_uniform_location(program_.name(), "pixel"),
                   -static_cast<float>(left) - half, -static_cast<float>(top) - half, 1 / half,
                   nearness);
 }
 
-void CubeDepth::look_from(const Vec3& lamp) {
+void LampDepth::look_from(const Vec3& lamp, const std::vector<LampView>& views) {
+    LIGHTWELL_CHECK_OP(views.size(), <=, most_views);
     lamp_ = lamp - centre_;
+    views_ = views;
     begin(false, true);
     const float infinitely_far = 0;
     gl_.viewport(0, 0, 3 * side_, 2 * side_);
     gl_.clear_bufferfv(GL_DEPTH, 0, &infinitely_far);
-    for (int face = 0; face < 6; ++face) {
-        select_face(face, 1);
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        select_view(view, 1);
         gl_.draw_elements(GL_TRIANGLES, static_cast<int>(6 * occluder_count_), GL_UNSIGNED_INT,
                           nullptr);
     }
@@ -194,21 +190,14 @@ void CubeDepth::look_from(const Vec3& lamp) {
     check_gl(gl_, "drawing what a lamp sees");
 }
 
-bool CubeDepth::reaches_face(std::uint32_t part, int face) const {
-    const Eigen::Matrix3d frame = frame_of_face(face);
-    bool left = true, right = true, below = true, above = true, behind = true;
-    for (const Vec3& corner : parts_[part].vertex) {
-        const Vec3 seen = frame * (corner - centre_ - lamp_);
-        left = left && seen[0] < -seen[2];
-        right = right && seen[0] > seen[2];
-        below = below && seen[1] < -seen[2];
-        above = above && seen[1] > seen[2];
-        behind = behind && seen[2] < 0;
-    }
-    return !(left || right || below || above || behind);
+bool LampDepth::reaches(std::uint32_t part, std::size_t view) const {
+    Quad seen = parts_[part];
+    for (Vec3& corner : seen.vertex)
+        corner -= centre_ + lamp_;
+    return views_[view].reaches(seen);
 }
 
-void CubeDepth::issue(const std::vector<Query>& queries, std::size_t first_name) {
+void LampDepth::issue(const std::vector<Query>& queries, std::size_t first_name) {
     for (std::size_t k = 0; k < queries.size(); ++k) {
         gl_.begin_query(GL_SAMPLES_PASSED, names_[first_name + k]);
         gl_.draw_elements(GL_TRIANGLES, 6, GL_UNSIGNED_INT,
@@ -218,15 +207,17 @@ void CubeDepth::issue(const std::vector<Query>& queries, std::size_t first_name)
     }
 }
 
-std::size_t CubeDepth::count(std::vector<CountedPart>& parts) {
+std::size_t LampDepth::count(std::vector<CountedPart>& parts) {
     std::size_t needed = 0;
-    for (int face = 0; face < 6; ++face) {
-        queries_[static_cast<std::size_t>(face)].clear();
-        for (std::size_t k = 0; k < parts.size(); ++k)
-            if (reaches_face(parts[k].part, face))
-                queries_[static_cast<std::size_t>(face)].push_back(
-                    {k, 6 * (occluder_count_ + parts[k].part)});
-        needed += 2 * queries_[static_cast<std::size_t>(face)].size();
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        queries_[view].clear();
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const bool is_counted =
+                parts[k].view == CountedPart::all_views || parts[k].view == static_cast<int>(view);
+            if (is_counted && reaches(parts[k].part, view))
+                queries_[view].push_back({k, 6 * (occluder_count_ + parts[k].part)});
+        }
+        needed += 2 * queries_[view].size();
     }
     if (needed > names_.size()) {
         const std::size_t known = names_.size();
@@ -237,11 +228,11 @@ std::size_t CubeDepth::count(std::vector<CountedPart>& parts) {
     std::size_t issued = 0;
     for (const bool counts_hidden : {true, false}) {
         begin(counts_hidden, false);
-        for (int face = 0; face < 6; ++face) {
-            if (queries_[static_cast<std::size_t>(face)].empty()) continue;
-            select_face(face, nearer);
-            issue(queries_[static_cast<std::size_t>(face)], issued);
-            issued += queries_[static_cast<std::size_t>(face)].size();
+        for (std::size_t view = 0; view < views_.size(); ++view) {
+            if (queries_[view].empty()) continue;
+            select_view(view, nearer);
+            issue(queries_[view], issued);
+            issued += queries_[view].size();
         }
     }
     end();
@@ -250,8 +241,8 @@ std::size_t CubeDepth::count(std::vector<CountedPart>& parts) {
         part.all = part.visible = 0;
     std::size_t read = 0;
     for (const bool counts_hidden : {true, false})
-        for (const std::vector<Query>& queries : queries_)
-            for (const Query& query : queries) {
+        for (std::size_t view = 0; view < views_.size(); ++view)
+            for (const Query& query : queries_[view]) {
                 unsigned samples = 0;
                 gl_.get_query_objectuiv(names_[read++], GL_QUERY_RESULT, &samples);
                 CountedPart& part = parts[query.counted];
