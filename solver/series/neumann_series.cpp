@@ -54,6 +54,50 @@ struct Accumulator {
     }
 };
 
+/// A coefficient of the left factor of a product.
+struct Factor {
+    int row;
+    double value;
+    double size;  ///< |value|, by how much it matters what arrives in its row
+};
+
+/// The columns of a matrix, each with its largest coefficients first.
+class LargestFirst {
+  public:
+    LargestFirst(const Sparse& matrix, const TruncationRule& rule)
+        : start_(static_cast<std::size_t>(matrix.cols()) + 1, 0) {
+        factors_.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+            for (Sparse::InnerIterator it(matrix, j); it; ++it) {
+                const double matters = rule.visibility.size() == 0 ? 1 : rule.visibility[it.row()];
+                factors_.push_back(
+                    {static_cast<int>(it.row()), it.value(), std::abs(it.value()) * matters});
+            }
+            start_[static_cast<std::size_t>(j) + 1] = factors_.size();
+        }
+        tbb::parallel_for(
+            std::size_t{0}, static_cast<std::size_t>(matrix.cols()), [this](std::size_t j) {
+                const auto at = [&](std::size_t k) {
+                    return factors_.begin() + static_cast<std::ptrdiff_t>(k);
+                };
+                std::sort(at(start_[j]), at(start_[j + 1]), [](const Factor& a, const Factor& b) {
+                    return a.size != b.size ? a.size > b.size : a.row < b.row;
+                });
+            });
+    }
+
+    /// Adds `by` times those coefficients of a column that are of a size of at least `least`.
+    void add(Eigen::Index column, double by, double least, Accumulator& sum) const {
+        const auto c = static_cast<std::size_t>(column);
+        for (std::size_t k = start_[c]; k < start_[c + 1] && factors_[k].size >= least; ++k)
+            sum.add(factors_[k].row, by * factors_[k].value);
+    }
+
+  private:
+    std::vector<std::size_t> start_;
+    std::vector<Factor> factors_;
+};
+
 double largest_weighted(const Sparse& matrix, const TruncationRule& rule) {
     double largest = 0;
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
@@ -86,6 +130,18 @@ Sparse truncated(const Sparse& matrix, const TruncationRule& rule) {
 Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule& rule,
                          const Progress& progress) {
     const auto n = static_cast<std::size_t>(a.rows());
+    const double negligible = rule.negligible * rule.threshold;
+    const LargestFirst sorted(negligible > 0 ? a : Sparse(a.rows(), 0), rule);
+    const auto add_column = [&](Eigen::Index k, double by, Eigen::Index j, Accumulator& sum) {
+        if (negligible > 0) {
+            const double counts = std::abs(by) * rule.weight[j];
+            const bool all = rule.is_mean[static_cast<std::size_t>(j)] || !(counts > 0);
+            sorted.add(k, by, all ? 0 : negligible / counts, sum);
+        } else {
+            for (Sparse::InnerIterator ia(a, k); ia; ++ia)
+                sum.add(static_cast<int>(ia.row()), ia.value() * by);
+        }
+    };
     std::vector<Column> columns(n);
     tbb::enumerable_thread_specific<Accumulator> accumulators([n] {
         return Accumulator{std::vector<double>(n, 0.0), std::vector<char>(n, 0), {}};
@@ -95,8 +151,7 @@ Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule&
         Accumulator& sum = accumulators.local();
         for (std::size_t j = range.begin(); j != range.end(); ++j) {
             for (Sparse::InnerIterator ib(b, static_cast<Eigen::Index>(j)); ib; ++ib)
-                for (Sparse::InnerIterator ia(a, ib.row()); ia; ++ia)
-                    sum.add(static_cast<int>(ia.row()), ia.value() * ib.value());
+                add_column(ib.row(), ib.value(), static_cast<Eigen::Index>(j), sum);
             std::sort(sum.touched.begin(), sum.touched.end());
             for (const int row : sum.touched) {
                 const auto r = static_cast<std::size_t>(row);
@@ -123,8 +178,11 @@ NeumannSeries neumann_series(const Sparse& transport, const TruncationRule& rule
     for (int doubling = 0; doubling < most_doublings; ++doubling) {
         if (!(largest_weighted(power, rule) > smallest)) break;
         progress.say("series", static_cast<double>(doubling) / most_doublings);
-        const Sparse next = truncated_product(power, series.sum, rule, progress);
-        power = truncated_product(power, power, rule, progress);
+        const Sparse square = truncated_product(power, power, rule, progress);
+        // The first power is the sum so far.
+        const Sparse next =
+            doubling == 0 ? square : truncated_product(power, series.sum, rule, progress);
+        power = square;
         series.sum = truncated(series.sum + next, rule);
         series.bounces *= 2;
     }

@@ -85,6 +85,33 @@ TEST(TruncatedProduct, IsEigensProductTruncated) {
     }
 }
 
+// Term by term: those that are negligible are not there, in columns of means all are.
+TEST(TruncatedProduct, LeavesOutTermsThatTheRuleCallsNegligible) {
+    constexpr Eigen::Index n = 60;
+    Numbers numbers(36);
+    const Eigen::MatrixXd a = random_matrix(numbers, n, 0.3), b = random_matrix(numbers, n, 0.3);
+    TruncationRule rule = sample_rule(n, 0.5);
+    rule.visibility = Eigen::ArrayXd::Ones(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        rule.visibility[i] = numbers.between(0.1, 1);
+    rule.negligible = 0.4;
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index k = 0; k < n; ++k) {
+                const double counts = weighted(rule, i, j, a(i, k) * b(k, j));
+                if (rule.is_mean[static_cast<std::size_t>(j)] || counts >= 0.4 * 0.5)
+                    expected(i, j) += a(i, k) * b(k, j);
+            }
+    const Sparse full = expected.sparseView(0, 0);
+    const Sparse result = truncated_product(a.sparseView(), b.sparseView(), rule);
+    EXPECT_LT(difference(result, Eigen::MatrixXd(truncated(full, rule))), 1e-13);
+    rule.negligible = 0;
+    EXPECT_GT(difference(truncated_product(a.sparseView(), b.sparseView(), rule),
+                         Eigen::MatrixXd(result)),
+              0.01);
+}
+
 TEST(TruncatedProduct, IsTheSameForAnyNumberOfThreads) {
     Numbers numbers(34);
     const Sparse a = random_matrix(numbers, 300, 0.1), b = random_matrix(numbers, 300, 0.1);
