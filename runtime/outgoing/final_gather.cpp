@@ -1,5 +1,6 @@
 #include "runtime/outgoing/final_gather.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -23,6 +24,23 @@ Eigen::Matrix3d frame_about(const Vec3& z) {
     frame.col(1) = Vec3(b, sign + z[1] * z[1] * a, -z[1]);
     frame.col(2) = z;
     return frame;
+}
+
+/// Whether a point that a ray got to, and all samples around it, are buried. Smooth light carries
+/// on there, and would fill the dark gap over a panel below the ceiling; but along the foot of a
+/// block, where a sample's centre may lie under it, a ray does meet lit floor.
+bool is_deep_in_a_gap(const Element& element, const Vec2& uv) {
+    if (element.open.empty()) return false;
+    constexpr double samples_a_cell = 8;
+    const CellTree& tree = element.space.tree();
+    for (const int i : {0, -1, 1})
+        for (const int j : {0, -1, 1}) {
+            const double u = uv[0] + i / (samples_a_cell * tree.columns());
+            const double v = uv[1] + j / (samples_a_cell * tree.rows());
+            if (element.is_sample_open(std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0)))
+                return false;
+        }
+    return true;
 }
 
 }  // namespace
@@ -52,8 +70,7 @@ FinalGather::FinalGather(const GlobalTransport& transport, const Visibility& vis
 Rgb FinalGather::reflected(std::size_t element, const Vec3& at) const {
     const Element& met = transport_.space.element(element);
     const Vec2 uv = met.geometry.parameters(at);
-    // Pictures carry on the light where something stands; a ray that gets there finds a dark gap.
-    if (!met.is_sample_open(uv[0], uv[1])) return Rgb::Zero();
+    if (is_deep_in_a_gap(met, uv)) return Rgb::Zero();
     Rgb irradiance = incident_[element].at(uv[0], uv[1]);
     if (!exact_.on.empty())
         for (const Light& lamp : exact_.on[element])

@@ -3,21 +3,21 @@
 //     accuracy SCENE [--error E] [--oracle geometric|variation] [--lights N] ... (see --help)
 //
 // prints one line per light and a summary: the relative rms error of indirect illuminance over
-// points spread evenly by area, as the basis shows it smoothed (picture), as the stored operator
-// alone gives it (stored), solved on the stored bounce (solved), and gathered at the point
-// (gather). With --cache the judge's answers are kept for other settings.
+// all surfaces, as the basis shows it smoothed (picture), as the stored operator alone gives it
+// (stored), solved on the stored bounce (solved), and as `lightwell measure` gathers it (gather).
+// With --cache the judge's answers are kept for other settings.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "radiance4d/scene/occluder_tree.h"
-#include "runtime/outgoing/final_gather.h"
+#include "radiance4d/operator/operator_file.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
@@ -25,6 +25,8 @@
 #include "solver/reference/error_estimate.h"
 #include "solver/reference/random_lights.h"
 #include "viewer/commands/arguments.h"
+#include "viewer/commands/opened_operator.h"
+#include "viewer/commands/shown_ways.h"
 
 namespace lightwell {
 namespace {
@@ -34,7 +36,6 @@ struct Request {
     PrecomputeOptions precompute;
     int lights = 10;
     EstimateOptions judge;
-    int gather_strata = 32;
     LightPlacement placement;
     std::string cache;  ///< folder; empty: none
 };
@@ -118,28 +119,20 @@ struct LightErrors {
     Deviation picture, stored, solved, gather;
 };
 
-LightErrors errors_of(const GlobalTransport& transport, const std::vector<Quad>& quads,
-                      const OccluderTree& occluders, const Visibility& visibility,
-                      const JudgedLight& judged, int strata) {
-    const auto lit = [&](Propagation propagation) {
-        return light_scene(transport, {judged.light}, quads, occluders, propagation);
+LightErrors errors_of(const OpenedOperator& opened, const JudgedLight& judged) {
+    const auto deviation = [&](const std::vector<Rgb>& shown) {
+        return deviation_from(judged.truth, shown, judged.weight);
     };
-    const auto deviation = [&](const RadianceField& field) {
-        return deviation_from(judged.truth,
-                              shown_at(judged.points, transport.space,
-                                       smooth_irradiance(transport.space, field), quads),
-                              judged.weight);
+    const auto shown_by = [&](Propagation propagation) {
+        const Lighting lighting = light_scene(opened.transport, {judged.light}, opened.quads,
+                                              opened.occluders, propagation);
+        return deviation(shown_at(judged.points, opened.transport.space,
+                                  smooth_irradiance(opened.transport.space, lighting.indirect),
+                                  opened.quads));
     };
-    const Lighting solved = lit(Propagation::solved);
-    const FinalGather gather(transport, visibility,
-                             smooth_irradiance(transport.space, solved.direct + solved.indirect),
-                             strata);
-    std::vector<Rgb> gathered;
-    for (const SurfacePoint& p : judged.points)
-        gathered.push_back(gather.irradiance(p.position, p.normal, p.quad));
-    return {deviation(lit(Propagation::gathered).indirect),
-            deviation(lit(Propagation::stored).indirect), deviation(solved.indirect),
-            deviation_from(judged.truth, gathered, judged.weight)};
+    return {shown_by(Propagation::gathered), shown_by(Propagation::stored),
+            shown_by(Propagation::solved),
+            deviation(measure_way(opened).at(judged.light, judged.points))};
 }
 
 void print_light(std::size_t number, const Vec3& at, const LightErrors& errors) {
@@ -153,36 +146,40 @@ void print_light(std::size_t number, const Vec3& at, const LightErrors& errors) 
               << std::endl;
 }
 
-void run(const Request& request) {
-    Scene scene = read_scene(request.scene).scene;
-    for (Material& material : scene.materials)
-        material.emission = Rgb::Zero();  // lamps alone
+/// The operator to be judged, in a scene lit by lamps alone: computed, or read from a .gto file.
+OpenedOperator operator_of(const Request& request) {
+    if (std::filesystem::path(request.scene).extension() == ".gto") {
+        GlobalTransport transport = read_operator_file(request.scene);
+        transport.scene = without_emission(std::move(transport.scene));
+        return opened(std::move(transport));
+    }
     PrecomputeReport report;
-    const GlobalTransport transport = precompute(scene, request.precompute, {}, report);
+    GlobalTransport transport = precompute(without_emission(read_scene(request.scene).scene),
+                                           request.precompute, {}, report);
     print_cost(transport, report);
+    return opened(std::move(transport));
+}
 
-    std::vector<Quad> quads;
-    for (const SceneQuad& quad : scene.quads)
-        quads.push_back(quad.quad);
-    const Visibility visibility(quads);
-    const OccluderTree occluders(quads);
-    const JudgeCache cache(request, scene.name);
+void run(const Request& request) {
+    const OpenedOperator opened = operator_of(request);
+    const GlobalTransport& transport = opened.transport;
+    const JudgeCache cache(request, transport.scene.name);
     std::vector<JudgedLight> judged = cache.read();
     if (judged.empty()) {
         std::vector<Vec3> positions;
-        for (const PointLight& light : random_lights(scene, visibility, request.lights,
-                                                     request.judge.seed, request.placement))
+        for (const PointLight& light :
+             random_lights(transport.scene, opened.visibility, request.lights, request.judge.seed,
+                           request.placement))
             positions.push_back(light.position);
-        judged =
-            judged_lights(transport, quads, visibility, occluders, positions, request.judge, {});
+        judged = judged_lights(transport, opened.quads, opened.visibility, opened.occluders,
+                               positions, request.judge, {});
         cache.write(judged);
     }
 
     ErrorEstimate picture, gather;
     int above = 0;
     for (std::size_t l = 0; l < judged.size(); ++l) {
-        const LightErrors errors =
-            errors_of(transport, quads, occluders, visibility, judged[l], request.gather_strata);
+        const LightErrors errors = errors_of(opened, judged[l]);
         print_light(l, judged[l].light.position, errors);
         picture.by_light.push_back(errors.picture.relative_rms);
         gather.by_light.push_back(errors.gather.relative_rms);
@@ -199,7 +196,7 @@ void run(const Request& request) {
 bool read_arguments(int argc, char** argv, Request& request) {
     constexpr int most = 1 << 20;
     CLI::App app{"How accurate an operator is, judged by path tracing.", "accuracy"};
-    app.add_option("SCENE", request.scene, "scene.toml, .obj or .ply")->required();
+    app.add_option("SCENE", request.scene, "scene.toml, .obj, .ply or .gto")->required();
     const auto add = [&app](const std::string& name, const std::string& meaning,
                             std::function<void(const std::string&)> take) {
         app.add_option_function<std::string>(name, std::move(take), meaning);
@@ -236,10 +233,6 @@ bool read_arguments(int argc, char** argv, Request& request) {
     });
     add("--noise", "of the judge; 0.01 by default",
         [&](const std::string& text) { request.judge.noise = positive_argument("--noise", text); });
-    add("--gather", "strata a side of the final gather; 32 by default",
-        [&](const std::string& text) {
-            request.gather_strata = whole_argument("--gather", text, 1, 1024);
-        });
     add("--surrounded", "share of directions that a light must be enclosed in",
         [&](const std::string& text) {
             request.placement.surrounded = non_negative_argument("--surrounded", text);
