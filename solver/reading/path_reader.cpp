@@ -35,7 +35,7 @@ std::vector<LightKey>& keys_of(const std::string& name, Keyframes& keyframes) {
 void add_light(const TomlTable& table, Keyframes& keyframes) {
     const double time = time_from(table);
     const std::string name = table.text("name");
-    const Light light = light_from(table, name);
+    const Light light = shining({light_from(table, name)})[0];
     std::vector<LightKey>& keys = keys_of(name, keyframes);
     if (!keys.empty()) {
         require_later(table, time, keys.back().time);

@@ -78,7 +78,7 @@ GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
     geometry.materials = materials_from(file);
     if (file.has("default_material"))
         geometry.default_material = default_material_from(file, geometry.materials);
-    scene.lights = lights_from(file);
+    scene.lights = shining(lights_from(file));
     if (file.has("camera")) scene.camera = camera_from(file.table("camera"), scene.up);
     scene.sensor_grids = sensor_grids_from(file);
     file.refuse_unknown_keys();
@@ -125,7 +125,7 @@ void read_geometry(const GeometryChoice& geometry, AlbedoAboveOne above_one, Rea
 
 /// A file of lights, a camera and sensors, all of them checked, whichever is wanted.
 struct Extras {
-    std::optional<std::vector<Light>> lights;
+    std::optional<std::vector<DimmedLight>> lights;
     std::optional<Camera> camera;
 };
 
@@ -155,11 +155,15 @@ ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one) {
     return read;
 }
 
-std::vector<Light> read_lights(const std::string& path) {
+std::vector<DimmedLight> read_dimmed_lights(const std::string& path) {
     const Extras extras = read_extras(TomlTable::read(path), Vec3::UnitZ());
     if (!extras.lights)
         throw InputError(Place{path}, "no [[light]] in the file (for none at all say light = [])");
     return *extras.lights;
+}
+
+std::vector<Light> read_lights(const std::string& path) {
+    return shining(read_dimmed_lights(path));
 }
 
 Camera read_camera(const std::string& path, const Vec3& up) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reading/dimmed_light.h"
 #include "solver/reading/material_choice.h"
 #include "solver/reading/reading_report.h"
 
@@ -43,6 +44,7 @@ struct ReadScene {
 ///     direction = [0, 0, -1]         # spot only
 ///     inner_angle = 20               # spot only: half-angle of full intensity [degrees]
 ///     outer_angle = 30               # spot only: half-angle where the light ends [degrees]
+///     dimmer = 1                     # factor of the intensity, in [0,1]; 0: off; default 1
 ///
 ///     [camera]
 ///     position = [5, 4, 1.6]         # [m]
@@ -68,8 +70,12 @@ struct ReadScene {
 /// `above_one` says otherwise, for a material that reflects more light than it receives
 ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one = AlbedoAboveOne::refuse);
 
-/// The [[light]] tables of a lights file. The file may hold [camera] and [[sensors]], too. A file
-/// without any light says so by `light = []`.
+/// The [[light]] tables of a lights file, before they are dimmed.
+/// @throws InputError as read_scene
+std::vector<DimmedLight> read_dimmed_lights(const std::string& path);
+
+/// The [[light]] tables of a lights file, dimmed. The file may hold [camera] and [[sensors]], too.
+/// A file without any light says so by `light = []`.
 /// @throws InputError as read_scene
 std::vector<Light> read_lights(const std::string& path);
 

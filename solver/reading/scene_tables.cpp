@@ -145,17 +145,18 @@ SensorGrid sensor_grid_from(const TomlTable& table, const std::string& name) {
 
 }  // namespace
 
-Light light_from(const TomlTable& table, const std::string& name) {
+DimmedLight light_from(const TomlTable& table, const std::string& name) {
     const std::string type = table.text("type");
     if (type != "point" && type != "spot")
         table.fail("type", "type must be \"point\" or \"spot\", not " + in_quotes(type));
-    Light light = type == "spot" ? spot_from(table, name) : point_from(table, name);
+    DimmedLight dimmed{type == "spot" ? spot_from(table, name) : point_from(table, name)};
+    if (table.has("dimmer")) dimmed.dimmer = number_within(table, "dimmer", 0, 1);
     table.refuse_unknown_keys();
-    return light;
+    return dimmed;
 }
 
-std::vector<Light> lights_from(const TomlTable& file) {
-    std::vector<Light> lights;
+std::vector<DimmedLight> lights_from(const TomlTable& file) {
+    std::vector<DimmedLight> lights;
     for (const TomlTable& table : file.tables("light")) {
         const std::string name = name_from(table, fmt::format("light {}", lights.size() + 1));
         lights.push_back(light_from(table, name));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reading/dimmed_light.h"
 #include "solver/reading/mtl_reader.h"
 #include "solver/reading/toml_table.h"
 
@@ -13,9 +14,9 @@ namespace lightwell {
 // throw InputError with line and column for unknown keys, wrong types and values out of range.
 
 /// The lights of every [[light]], in their order; those without a name are "light 1", ...
-std::vector<Light> lights_from(const TomlTable& file);
+std::vector<DimmedLight> lights_from(const TomlTable& file);
 /// The light of a [[light]] table, by that name.
-Light light_from(const TomlTable& table, const std::string& name);
+DimmedLight light_from(const TomlTable& table, const std::string& name);
 /// The camera of a [camera] table. @param up the direction that is up unless the table says
 Camera camera_from(const TomlTable& table, const Vec3& up);
 /// The grids of every [[sensors]], in their order; those without a name are "sensors 1", ...

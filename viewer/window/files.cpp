@@ -73,17 +73,21 @@ std::string next_free_name(const std::string& stem, const std::string& extension
 }
 
 void save_lights(const Visit& visit) {
-    std::vector<Light> lights;
-    for (const EditedLight& edited : visit.edits.lights()) {
-        lights.push_back(edited.light);
-        set_intensity(lights.back(),
-                      (edited.on ? edited.dimmer : 0) * full_intensity_of(edited.light));
-    }
+    std::vector<DimmedLight> lights;
+    for (const EditedLight& edited : visit.edits.lights())
+        lights.push_back({edited.light, edited.on ? edited.dimmer : 0});
     write_atomically(visit.lights_file, lights_and_camera_text(lights, visit.camera.camera()));
 }
 
+std::vector<EditedLight> edited_lights(const std::string& path) {
+    std::vector<EditedLight> lights;
+    for (const auto& [light, dimmer] : read_dimmed_lights(path))
+        lights.push_back({light, dimmer > 0, dimmer > 0 ? dimmer : 1});
+    return lights;
+}
+
 void load_lights(const std::string& path, const Vec3& up, Visit& visit) {
-    const std::vector<Light> lights = read_lights(path);
+    const std::vector<EditedLight> lights = edited_lights(path);
     const bool has_camera = TomlTable::read(path).has("camera");
     if (has_camera) {
         const double speed = visit.camera.speed();

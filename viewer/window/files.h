@@ -24,9 +24,11 @@ void write_picture(LitScene& scene, const Visit& visit, int width, int height,
 /// "stem-0001.png", or the first number that no file has yet.
 std::string next_free_name(const std::string& stem, const std::string& extension);
 
-/// Writes the lights, dimmed as they are, and the view to visit.lights_file; lights that are off
-/// have intensity 0 there.
+/// Writes the lights with their dimmers, and the view to visit.lights_file; lights that are off are
+/// dimmed to 0 there.
 void save_lights(const Visit& visit);
+/// The lights of a file as they are edited. @throws as read_lights
+std::vector<EditedLight> edited_lights(const std::string& path);
 /// Reads lights, and the view if the file has one. @throws as read_lights
 void load_lights(const std::string& path, const Vec3& up, Visit& visit);
 

@@ -33,6 +33,11 @@ void set_name(Light& light, const std::string& name) {
     std::visit([&](auto& kind) { kind.name = name; }, light);
 }
 
+void set_hue(Light& light, const Rgb& wanted) {
+    const double most = wanted.maxCoeff();
+    if (most > 0) set_intensity(light, full_intensity_of(light).maxCoeff() / most * wanted);
+}
+
 const Rgb& full_intensity_of(const Light& light) {
     return std::visit([](const auto& kind) -> const Rgb& { return kind.intensity; }, light);
 }
@@ -76,9 +81,9 @@ std::size_t LightEdits::add(const EditedLight& light) {
     return lights_.size() - 1;
 }
 
-void LightEdits::replace(const std::vector<Light>& lights) {
+void LightEdits::replace(const std::vector<EditedLight>& lights) {
     remember();
-    lights_ = switched_on(lights);
+    lights_ = lights;
 }
 
 void LightEdits::remove(std::size_t index) {

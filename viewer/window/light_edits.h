@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "radiance4d/scene/light.h"
@@ -19,6 +20,9 @@ void set_position(Light& light, const Vec3& position);
 void set_intensity(Light& light, const Rgb& intensity);
 void set_name(Light& light, const std::string& name);
 const Rgb& full_intensity_of(const Light& light);
+/// The light in another colour: as bright as before, by its brightest channel, with the hue of
+/// `wanted`. Black is no hue, and changes nothing.
+void set_hue(Light& light, const Rgb& wanted);
 /// A light of the other kind in the same place; a point light that becomes a spot shines along
 /// `direction` (unit length).
 Light other_kind(const Light& light, const Vec3& direction);
@@ -28,6 +32,7 @@ class LightEdits {
   public:
     LightEdits() = default;
     explicit LightEdits(const std::vector<Light>& lights);
+    explicit LightEdits(std::vector<EditedLight> lights) : lights_(std::move(lights)) {}
 
     const std::vector<EditedLight>& lights() const { return lights_; }
     /// Those that are on, dimmed: what light projection takes.
@@ -36,7 +41,7 @@ class LightEdits {
     /// Adds a light under a name that no other one has, after the others. @return its index
     std::size_t add(const EditedLight& light);
     /// Replaces all lights.
-    void replace(const std::vector<Light>& lights);
+    void replace(const std::vector<EditedLight>& lights);
     void remove(std::size_t index);
     /// Changes a light. Changes that follow each other count as one for undo, until settle():
     /// dragging passes through hundreds of places that nobody wants back.

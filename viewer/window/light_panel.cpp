@@ -67,19 +67,24 @@ bool edit_light(EditedLight& edited) {
     ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
     if (ImGui::Combo("kind", &kind, "point\0spot\0") &&
         kind != static_cast<int>(edited.light.index())) {
-        edited.light = other_kind(edited.light, -Vec3::UnitZ());
+        edited.light = other_kind(edited.light, Vec3(0, 0, -1));
         changed = true;
     }
     changed |= edit_number("dimmer", edited.dimmer, 0, 1, "%.2f");
     Colour colour(full_intensity_of(edited.light));
-    bool recoloured = ImGui::ColorEdit3("colour", colour.rgb,
-                                        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    if (ImGui::ColorEdit3("colour", colour.rgb,
+                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs)) {
+        set_hue(edited.light, Rgb(colour.rgb[0], colour.rgb[1], colour.rgb[2]));
+        changed = true;
+    }
     ImGui::SameLine();
     ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
-    recoloured |= ImGui::DragFloat("cd", &colour.candela, 0.01F * (1 + colour.candela), 0, 1e7F,
-                                   "%.4g", ImGuiSliderFlags_AlwaysClamp);
-    if (recoloured) set_intensity(edited.light, colour.intensity());
-    changed |= recoloured;
+    // Not down to 0, where the colour would be forgotten.
+    if (ImGui::DragFloat("cd", &colour.candela, 0.01F * (1 + colour.candela), 0.01F, 1e7F, "%.4g",
+                         ImGuiSliderFlags_AlwaysClamp)) {
+        set_intensity(edited.light, colour.intensity());
+        changed = true;
+    }
 
     float position[3];
     for (int k = 0; k < 3; ++k)

@@ -40,10 +40,13 @@ std::string text_of(const SpotLight& light) {
 
 }  // namespace
 
-std::string lights_and_camera_text(const std::vector<Light>& lights, const Camera& camera) {
+std::string lights_and_camera_text(const std::vector<DimmedLight>& lights, const Camera& camera) {
     std::string text = lights.empty() ? "light = []\n\n" : "";
-    for (const Light& light : lights)
-        text += std::visit([](const auto& kind) { return text_of(kind); }, light) + "\n";
+    for (const DimmedLight& dimmed : lights) {
+        text += std::visit([](const auto& kind) { return text_of(kind); }, dimmed.light);
+        if (dimmed.dimmer != 1) text += fmt::format("dimmer = {}\n", dimmed.dimmer);
+        text += "\n";
+    }
     return text + fmt::format(
                       "[camera]\nposition = {}\ntarget = {}\nup = {}\nvertical_angle = "
                       "{}\n",

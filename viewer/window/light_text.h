@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reading/dimmed_light.h"
 
 namespace lightwell {
 
 /// Lights and a camera as the TOML that read_lights and read_camera take, numbers to the last bit:
 /// a file for --lights and for --camera at once.
-std::string lights_and_camera_text(const std::vector<Light>& lights, const Camera& camera);
+std::string lights_and_camera_text(const std::vector<DimmedLight>& lights, const Camera& camera);
 
 }  // namespace lightwell

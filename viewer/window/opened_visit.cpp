@@ -95,7 +95,8 @@ void WindowLoop::enter(const SharedOperator& opened) {
 void WindowLoop::begin_visit(const OpenedOperator& opened) {
     const Scene& scene = opened.transport.scene;
     visit_ = Visit(first_camera_of(opened, request_));
-    visit_.edits = LightEdits(chosen_lights(request_.lights, scene));
+    visit_.edits =
+        request_.lights ? LightEdits(edited_lights(*request_.lights)) : LightEdits(scene.lights);
     if (!visit_.edits.lights().empty()) visit_.selected = 0;
     // What the command line names is for the first visit.
     request_.lights.reset();

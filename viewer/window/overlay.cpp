@@ -145,6 +145,18 @@ void draw_difference_legend(ImDrawList& list, const PanelSubject& subject) {
     list.AddText(corner, ink, text.c_str());
 }
 
+/// The newest message, in the lower left corner.
+void draw_news(ImDrawList& list, const PanelSubject& subject) {
+    const float letter = ImGui::GetFontSize();
+    const float wrap = static_cast<float>(subject.width) - 3 * letter;
+    const std::string& text = subject.visit.messages.back();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 at(letter, static_cast<float>(subject.height) - size.y - letter);
+    list.AddRectFilled(ImVec2(at.x - 6, at.y - 4), ImVec2(at.x + size.x + 6, at.y + size.y + 4),
+                       shade, 4);
+    list.AddText(nullptr, 0, at, ink, text.c_str(), nullptr, wrap);
+}
+
 }  // namespace
 
 void show_overlay(const PanelSubject& subject) {
@@ -159,6 +171,7 @@ void show_overlay(const PanelSubject& subject) {
             draw_handles(list, handle_places(rays, light->light), subject.handle);
     }
     draw_probe(list, subject, rays);
+    if (visit.has_news && !visit.messages.empty()) draw_news(list, subject);
     switch (visit.view.picture) {
         case Picture::lux:
             draw_lux_legend(list, subject);

@@ -18,6 +18,13 @@ void drop_lost_selection(Visit& visit) {
 void Visit::say(std::string message) {
     messages.push_back(std::move(message));
     if (messages.size() > most_messages) messages.erase(messages.begin());
+    has_news = true;
+}
+
+void Visit::heed(const Input& input) {
+    const auto* key = std::get_if<KeyInput>(&input);
+    const auto* button = std::get_if<ButtonInput>(&input);
+    if ((key && key->down) || (button && button->down)) has_news = false;
 }
 
 const EditedLight* Visit::selected_light() const {

@@ -7,6 +7,7 @@
 #include "radiance4d/scene/visibility.h"
 #include "runtime/drawing/frame_view.h"
 #include "runtime/propagation/incremental_update.h"
+#include "viewer/window/input.h"
 #include "viewer/window/light_edits.h"
 #include "viewer/window/walk_camera.h"
 
@@ -56,11 +57,14 @@ struct Visit {
     std::string operator_file;
     std::vector<Command> commands;      ///< not carried out yet
     std::vector<std::string> messages;  ///< what happened, the newest last
+    bool has_news = false;              ///< the newest is shown over the picture
 
     explicit Visit(const WalkCamera& stands) : camera(stands) {}
 
     void ask(Command command) { commands.push_back(command); }
     void say(std::string message);
+    /// A key or a button that goes down has read the news.
+    void heed(const Input& input);
     const EditedLight* selected_light() const;
     /// Adds a light before the eye, on this side of what is looked at, and selects it.
     void add_light(const Visibility& visibility);

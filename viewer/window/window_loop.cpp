@@ -126,6 +126,8 @@ void WindowLoop::wait_for_rest() {
 void WindowLoop::take(const InputFrame& frame) {
     for (const Input& input : frame.inputs)
         if (const auto* size = std::get_if<SizeInput>(&input)) take_size(*size);
+    for (const Input& input : frame.inputs)
+        visit_.heed(input);
     const PanelClaims claims = panel_.begin(frame, width_, height_);
     // In a narrow window the panel lies over the picture.
     const bool is_beside = visit_.shows_panel && width_ > 2 * panel_width();
@@ -258,7 +260,9 @@ void WindowLoop::carry_out(Command command) {
             if (scene_) expose();
             break;
         case Command::first_camera:
-            if (first_camera_) visit_.camera = *first_camera_;
+            if (!first_camera_) break;
+            first_camera_->set_speed(visit_.camera.speed());
+            visit_.camera = *first_camera_;
             break;
         case Command::quit:
             quits_ = true;

@@ -254,6 +254,12 @@ TEST_F(SceneReader, FindsMaterialFilesWhoseNamesHaveBlanks) {
     }
 }
 
+TEST_F(SceneReader, RefusesADimmerThatBrightens) {
+    EXPECT_EQ(error_after_geometry("[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\n"
+                                   "intensity = 1\ndimmer = 1.5\n"),
+              "scene.toml:6:10: dimmer 1.5 is not within 0 and 1");
+}
+
 TEST_F(SceneReader, RefusesUnknownKeysWithTheirPlace) {
     EXPECT_EQ(error_after_geometry("colour = 1\n"),
               "scene.toml:2:1: unknown key 'colour'; known here: camera, cut_along_walls, "
@@ -261,10 +267,11 @@ TEST_F(SceneReader, RefusesUnknownKeysWithTheirPlace) {
     EXPECT_EQ(error_after_geometry("[material.red]\n  gloss = 1\n"),
               "scene.toml:3:3: unknown key 'gloss' in [material.red]; known here: emission, "
               "emission_sides, exponent, reflectance, roughness, sides, specular");
-    EXPECT_EQ(error_after_geometry("[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\n"
-                                   "intensity = 1\ninner_angle = 3\n"),
-              "scene.toml:6:1: unknown key 'inner_angle' in [[light]]; known here: intensity, "
-              "name, position, type");
+    EXPECT_EQ(
+        error_after_geometry("[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\n"
+                             "intensity = 1\ninner_angle = 3\n"),
+        "scene.toml:6:1: unknown key 'inner_angle' in [[light]]; known here: dimmer, intensity, "
+        "name, position, type");
 }
 
 TEST_F(SceneReader, RefusesWrongTypesWithTheirPlace) {

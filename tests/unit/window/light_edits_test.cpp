@@ -33,6 +33,15 @@ TEST(LightEdits, ShinesOnlyWhatIsOnAndDimmed) {
     EXPECT_EQ(brightness(edits, 0), 100);
 }
 
+TEST(LightEdits, AHueLeavesALampAsBrightAsItWas) {
+    Light light = lamp("a", 100);
+    for (int frame = 0; frame < 3; ++frame)
+        set_hue(light, Rgb(0.6, 0.3, 0.15));
+    EXPECT_TRUE(full_intensity_of(light).isApprox(Rgb(100, 50, 25)));
+    set_hue(light, Rgb::Zero());
+    EXPECT_TRUE(full_intensity_of(light).isApprox(Rgb(100, 50, 25)));
+}
+
 TEST(LightEdits, UndoesAndRedoesEachEdit) {
     LightEdits edits({lamp("a", 100)});
     EXPECT_FALSE(edits.can_undo());
@@ -118,12 +127,21 @@ TEST_F(SavedText, IsReadBackToTheLastBit) {
     camera.position = {1, 2, 1.0 / 7};
     camera.target = {0, 0, 1};
     camera.vertical_angle = 47.11;
-    const std::string path = written(lights_and_camera_text({lamp("a", 0.1), spot}, camera));
+    const std::string path = written(
+        lights_and_camera_text({{lamp("a", 0.1)}, {spot, 0.25}, {lamp("c", 7), 0}}, camera));
 
     const std::vector<Light> lights = read_lights(path);
-    ASSERT_EQ(lights.size(), 2u);
+    ASSERT_EQ(lights.size(), 3u);
     EXPECT_EQ(std::get<PointLight>(lights[0]).position, Vec3(1, 2, 3));
-    const auto& read = std::get<SpotLight>(lights[1]);
+    EXPECT_EQ(full_intensity_of(lights[0])[1], 0.1);
+    EXPECT_TRUE((full_intensity_of(lights[1]) == 0.25 * spot.intensity).all());
+    EXPECT_EQ(full_intensity_of(lights[2])[0], 0);
+    const std::vector<DimmedLight> dimmed = read_dimmed_lights(path);
+    EXPECT_EQ(dimmed[0].dimmer, 1);
+    EXPECT_EQ(dimmed[1].dimmer, 0.25);
+    EXPECT_EQ(dimmed[2].dimmer, 0);
+    EXPECT_EQ(full_intensity_of(dimmed[2].light)[0], 7);
+    const auto& read = std::get<SpotLight>(dimmed[1].light);
     EXPECT_EQ(read.name, spot.name);
     EXPECT_EQ(read.position, spot.position);
     EXPECT_TRUE((read.intensity == spot.intensity).all());

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "radiance4d/failure.h"
+#include "solver/reading/scene_reader.h"
 #include "tests/unit/propagation/coloured_room.h"
 #include "viewer/window/drawing_pace.h"
 #include "viewer/window/file_watch.h"
@@ -119,7 +120,7 @@ TEST_F(InAFolder, PicturesNeverReplaceOneAnother) {
     EXPECT_EQ(next_free_name(stem, ".exr"), stem + "-0001.exr");
 }
 
-TEST_F(InAFolder, SavedLightsAreThoseThatShine) {
+TEST_F(InAFolder, SavedLightsComeBackAsTheyWereSwitched) {
     Visit visit{WalkCamera({}, Vec3::UnitZ())};
     visit.edits = LightEdits({PointLight{"a", {1, 2, 3}, Rgb::Constant(10)},
                               PointLight{"b", {4, 5, 6}, Rgb::Constant(7)}});
@@ -136,8 +137,14 @@ TEST_F(InAFolder, SavedLightsAreThoseThatShine) {
     Visit other{WalkCamera({}, Vec3::UnitZ())};
     load_lights(visit.lights_file, Vec3::UnitZ(), other);
     ASSERT_EQ(other.edits.lights().size(), 2u);
-    EXPECT_EQ(full_intensity_of(other.edits.lights()[0].light)[0], 5);
-    EXPECT_EQ(full_intensity_of(other.edits.lights()[1].light)[0], 0);
+    EXPECT_EQ(full_intensity_of(other.edits.lights()[0].light)[0], 10);
+    EXPECT_EQ(other.edits.lights()[0].dimmer, 0.5);
+    EXPECT_EQ(full_intensity_of(other.edits.lights()[1].light)[0], 7);
+    EXPECT_FALSE(other.edits.lights()[1].on);
+    // Elsewhere, lamps are as they shine.
+    const std::vector<Light> shining = read_lights(visit.lights_file);
+    EXPECT_EQ(full_intensity_of(shining[0])[0], 5);
+    EXPECT_EQ(full_intensity_of(shining[1])[0], 0);
     EXPECT_TRUE(other.camera.position().isApprox(visit.camera.position()));
     other.undo();
     EXPECT_TRUE(other.edits.lights().empty());

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "radiance4d/scene/light.h"
+
+namespace lightwell {
+
+/// A light as files and windows hold it.
+struct DimmedLight {
+    Light light;        ///< at its full intensity
+    double dimmer = 1;  ///< factor of it, in [0,1]; 0: switched off
+};
+
+/// The lights as they shine.
+std::vector<Light> shining(const std::vector<DimmedLight>& lights);
+
+}  // namespace lightwell
