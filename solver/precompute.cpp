@@ -25,20 +25,33 @@ int judged_points(const Scene& scene) {
     return std::clamp(static_cast<int>(1000 * (1 - albedo)), 24, 200);
 }
 
-/// What any operator of the scene should come to for lights that it is not made for.
+/// What any operator of the scene should come to for lights that it is not made for: those at the
+/// unseen places from `first` on, up to `last`.
 std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& options,
-                               const GlobalTransport& transport, const Progress& progress) {
+                               const GlobalTransport& transport, std::size_t first,
+                               std::size_t last, const Progress& progress) {
     EstimateOptions asked;
     asked.noise = std::clamp(options.error, 0.03, 0.05);
     asked.points = judged_points(ground.scene);
+    asked.seed += first;
+    const auto place = [&](std::size_t k) {
+        return ground.unseen.begin() + static_cast<std::ptrdiff_t>(k);
+    };
     return judged_lights(transport, ground.quads, ground.visibility, ground.occluders,
-                         ground.unseen, asked, progress);
+                         {place(first), place(last)}, asked, progress);
 }
 
-/// What the settings are tightened by: the judge looks at few lights and points, so its verdict on
-/// one light in ten is granted some noise.
+/// Whether the error is likely to be what is asked for, but not sure to be: a few lights leave its
+/// bound high.
+bool is_open(const ErrorEstimate& estimate, double error) {
+    return estimate.rms() <= 0.9 * error && estimate.bound() > error;
+}
+
+/// What the settings are tightened by, so that the bound is below the error asked for, not its
+/// estimate only. One light in ten is granted some noise.
 double missed_by(const ErrorEstimate& estimate, double error) {
-    return std::max(estimate.rms() / (0.9 * error), estimate.ninth_of_ten() / (1.15 * error));
+    return std::max({estimate.rms() / (0.9 * error), estimate.bound() / error,
+                     estimate.ninth_of_ten() / (1.15 * error)});
 }
 
 /// How an operator is computed: diffuse_operator or glossy_operator.
@@ -70,12 +83,13 @@ class Attempts {
         if (options_.most_attempts == 0) return 0;
 
         // 6. Is it good enough?
-        if (judged_.empty()) {
-            judged_ = judge(ground_, options_, *last_, progress_);
-            for (const JudgedLight& one : judged_)
-                report_.estimate_rays += one.rays;
+        constexpr std::size_t few_lights = 8;
+        if (judged_.empty()) judge_up_to(few_lights);
+        estimate();
+        while (is_open(estimate_, options_.error) && judged_.size() < ground_.unseen.size()) {
+            judge_up_to(2 * judged_.size());
+            estimate();
         }
-        estimate_ = estimate_error(*last_, ground_.quads, ground_.occluders, judged_, progress_);
         clock_.lap("estimate");
         note(settings);
         return missed_by(estimate_, options_.error);
@@ -86,6 +100,19 @@ class Attempts {
     GlobalTransport take() { return std::move(*last_); }
 
   private:
+    /// Judges further lights, until there are so many.
+    void judge_up_to(std::size_t lights) {
+        for (JudgedLight& one : judge(ground_, options_, *last_, judged_.size(),
+                                      std::min(lights, ground_.unseen.size()), progress_)) {
+            report_.estimate_rays += one.rays;
+            judged_.push_back(std::move(one));
+        }
+    }
+
+    void estimate() {
+        estimate_ = estimate_error(*last_, ground_.quads, ground_.occluders, judged_, progress_);
+    }
+
     void note(const Settings& settings) {
         report_.error_by_light = estimate_.by_light;
         Provenance& provenance = last_->provenance;

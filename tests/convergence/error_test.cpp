@@ -41,5 +41,22 @@ TEST(Convergence, ErrorFallsWithTheErrorAskedFor) {
     }
 }
 
+// Not the estimate alone: what it may be off by is below the error asked for as well.
+TEST(Convergence, TheBoundIsBelowTheErrorAskedFor) {
+    for (const char* name : {"corner", "two-rooms"})
+        for (const double asked : {0.1, 0.07}) {
+            PrecomputeOptions options;
+            options.error = asked;
+            PrecomputeReport report;
+            const Scene scene =
+                read_scene(std::string(LIGHTWELL_SCENES) + "/" + name + "/scene.toml").scene;
+            const Provenance reached = precompute(scene, options, {}, report).provenance;
+            EXPECT_GT(reached.error_estimated, 0) << name;
+            EXPECT_LT(reached.error_estimated, reached.error_bound) << name;
+            EXPECT_LE(reached.error_bound, asked) << name << ": " << reached.error_basis;
+            EXPECT_EQ(report.attempts, 1) << name << ": a few lamps more, and it is sure";
+        }
+}
+
 }  // namespace
 }  // namespace lightwell

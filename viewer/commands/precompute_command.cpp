@@ -1,5 +1,6 @@
 #include "viewer/commands/precompute_command.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -92,7 +93,8 @@ Scene read_scene_of(PrecomputeRequest& request) {
 }
 
 bool is_reached(const Provenance& provenance, double error) {
-    return provenance.error_estimated > 0 && provenance.error_estimated <= error;
+    return provenance.error_estimated > 0 &&
+           std::max(provenance.error_estimated, provenance.error_bound) <= error;
 }
 
 std::string error_text(const Provenance& provenance) {
@@ -160,6 +162,12 @@ void run_precompute(PrecomputeRequest request) {
                         "estimated. The final "
                         "gather of measure and render does better.",
                         100 * provenance.error_asked, 100 * provenance.error_estimated));
+    else if (provenance.error_bound > provenance.error_asked)
+        print_message(fmt::format(
+            "warning: the error asked for is likely, but not certain: {:.3g} % asked, {:.2g} % "
+            "estimated, at most {:.2g} %. verify --lights 100 tells more.",
+            100 * provenance.error_asked, 100 * provenance.error_estimated,
+            100 * provenance.error_bound));
 
     const PrecomputeOutcome outcome{transport, report, request.output,
                                     std::filesystem::file_size(request.output)};
