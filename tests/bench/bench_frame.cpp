@@ -26,6 +26,7 @@
 #include "runtime/projection/fastest_projection.h"
 #include "runtime/projection/occlusion_query_projection.h"
 #include "runtime/projection/shadow_projection.h"
+#include "runtime/propagation/fitting_format.h"
 #include "runtime/propagation/incremental_update.h"
 #include "tests/bench/bench_scenes.h"
 #include "tests/bench/counted_runs.h"
@@ -101,6 +102,13 @@ void propagation(benchmark::State& state, const std::string& name, ValueFormat f
         benchmark::DoNotOptimize(indirect.data());
         seconds.push_back(steady_seconds() - start);
     }
+    const GlobalPropagation exact(scene.transport);
+    PackedField unrounded = indirect;
+    exact.apply(direct, unrounded);
+    state.counters["rounded by %"] =
+        100 *
+        static_cast<double>((indirect - unrounded).matrix().norm() / unrounded.matrix().norm());
+    state.counters["expected %"] = 100 * rounding_of(scene.transport, format);
     const double bytes = share_of(scene.transport, columns) * static_cast<double>(held.bytes());
     state.counters["columns"] = static_cast<double>(columns.size());
     state.counters["coefficients"] = static_cast<double>(held.coefficients());

@@ -19,10 +19,10 @@ namespace lightwell {
 class LitScene {
   public:
     /// @param projection  of lamps; the fastest is measured here
-    /// @param rows        how the rows of H are held
+    /// @param rows        how the rows of H are held; none: see fitting_format
     LitScene(std::shared_ptr<const OpenedOperator> opened, const GlLoader& loader,
              ProjectionWay projection = ProjectionWay::fastest,
-             ValueFormat rows = ValueFormat::single);
+             std::optional<ValueFormat> rows = std::nullopt);
     ~LitScene();
 
     const std::shared_ptr<const OpenedOperator>& opened() const { return opened_; }
@@ -56,7 +56,7 @@ class LitScene {
     class Exact;
 
     LitScene(std::shared_ptr<const OpenedOperator> opened, ChosenProjection chosen,
-             const GlLoader& loader, ValueFormat rows);
+             const GlLoader& loader, std::optional<ValueFormat> rows);
     /// Has glossy surfaces show what they send towards the camera.
     void look_from(const Camera& camera);
 

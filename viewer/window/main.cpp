@@ -17,11 +17,12 @@ namespace lightwell {
 
 namespace {
 
-ValueFormat rows_argument(const std::string& option, const std::string& text) {
+std::optional<ValueFormat> rows_argument(const std::string& option, const std::string& text) {
+    if (text == "fitting") return std::nullopt;
     if (text == "single") return ValueFormat::single;
     if (text == "half") return ValueFormat::half;
     if (text == "byte") return ValueFormat::byte;
-    throw InputError(Place{option}, in_quotes(text) + " is not single, half or byte");
+    throw InputError(Place{option}, in_quotes(text) + " is not fitting, single, half or byte");
 }
 
 void view(int argc, char** argv) {
@@ -52,7 +53,9 @@ void view(int argc, char** argv) {
             request.projection = projection_argument("--projection", text);
         });
     add("--rows", "FORMAT",
-        "how the operator's rows are held: single (default), half or byte, which take less memory",
+        "how the operator's rows are held: single, half or byte, which take less memory, or "
+        "fitting "
+        "(default): the smallest that the operator's error allows, where it is not small anyway",
         [&](const std::string& text) { request.rows = rows_argument("--rows", text); });
     add("--threads", "N", "threads to use; as many as the machine has by default",
         [&](const std::string& text) {

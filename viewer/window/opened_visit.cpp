@@ -1,4 +1,5 @@
 // What a window is opened on, and what comes of it: scenes, their visits, and the end's summary.
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -33,6 +34,12 @@ WalkCamera first_camera_of(const OpenedOperator& opened, const ViewRequest& requ
         return {read_camera(*request.lights, scene.up), scene.up};
     if (scene.camera) return {*scene.camera, scene.up};
     return {default_camera(scene, opened.transport.space, opened.visibility), scene.up};
+}
+
+bool emits(const Scene& scene) {
+    return std::any_of(scene.quads.begin(), scene.quads.end(), [&](const SceneQuad& quad) {
+        return scene.materials[static_cast<std::size_t>(quad.material)].emission.maxCoeff() > 0;
+    });
 }
 
 }  // namespace
@@ -98,6 +105,8 @@ void WindowLoop::begin_visit(const OpenedOperator& opened) {
     visit_.edits =
         request_.lights ? LightEdits(edited_lights(*request_.lights)) : LightEdits(scene.lights);
     if (!visit_.edits.lights().empty()) visit_.selected = 0;
+    // In the dark, nobody would find the button that adds a lamp.
+    if (visit_.edits.lights().empty() && !emits(scene)) visit_.add_light(opened.visibility);
     // What the command line names is for the first visit.
     request_.lights.reset();
     request_.camera.reset();

@@ -17,7 +17,7 @@ struct ViewRequest {
     PixelSize size{1280, 800};          ///< of the window's content
     double error = 0.05;                ///< that a scene is computed to
     ProjectionWay projection = ProjectionWay::fastest;  ///< of lamps
-    ValueFormat rows = ValueFormat::single;             ///< how the operator's rows are held
+    std::optional<ValueFormat> rows;    ///< how the operator's rows are held; as fits its error
     std::optional<std::string> replay;  ///< a file of recorded input, see recording.h
     std::optional<std::string> record;  ///< a file to record input to
 };
