@@ -17,6 +17,8 @@ namespace lightwell {
 
 namespace {
 
+constexpr double far_away = 1e6;  // [m]
+
 /// What files of this visit are called by default, in the current folder.
 std::string stem_of(const std::string& path) {
     const std::filesystem::path file = std::filesystem::path(path).lexically_normal();
@@ -106,7 +108,8 @@ void WindowLoop::begin_visit(const OpenedOperator& opened) {
         request_.lights ? LightEdits(edited_lights(*request_.lights)) : LightEdits(scene.lights);
     if (!visit_.edits.lights().empty()) visit_.selected = 0;
     // In the dark, nobody would find the button that adds a lamp.
-    if (visit_.edits.lights().empty() && !emits(scene)) visit_.add_light(opened.visibility);
+    if (visit_.edits.lights().empty() && !emits(scene))
+        visit_.add_light(opened.visibility, far_away);
     // What the command line names is for the first visit.
     request_.lights.reset();
     request_.camera.reset();

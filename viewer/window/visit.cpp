@@ -31,13 +31,12 @@ const EditedLight* Visit::selected_light() const {
     return selected && *selected < edits.lights().size() ? &edits.lights()[*selected] : nullptr;
 }
 
-void Visit::add_light(const Visibility& visibility) {
-    constexpr double arm = 1;           // [m]
+void Visit::add_light(const Visibility& visibility, double arm) {
     constexpr double share = 0.5;       // of the way to what is looked at
     constexpr double brightness = 100;  // [cd], about a 100 W bulb
     const Vec3 ahead = camera.forward();
     const Hit hit = visibility.nearest(camera.position(), free_point, ahead);
-    const double distance = hit ? std::min(arm, share * hit.distance) : arm;
+    const double distance = hit ? std::min(arm, share * hit.distance) : std::min(arm, 1.0);
     PointLight light;
     light.name = "lamp";
     light.position = camera.position() + distance * ahead;

@@ -66,8 +66,9 @@ struct Visit {
     /// A key or a button that goes down has read the news.
     void heed(const Input& input);
     const EditedLight* selected_light() const;
-    /// Adds a light before the eye, on this side of what is looked at, and selects it.
-    void add_light(const Visibility& visibility);
+    /// Adds a light before the eye, at most half way to what is looked at, and selects it.
+    /// @param arm  how far away it is at most [m]
+    void add_light(const Visibility& visibility, double arm = 1);
     /// The selected light, if any, is removed.
     void remove_selected();
     /// Undo or redo; the selection is dropped where its light is gone.
