@@ -214,7 +214,7 @@ void sum_directed_series(const DirectedWeights& weights, const TrialLights& trie
     rule.weight = weights.direct;
     // Means keep the energy, and there are the square of the elements of them: not of the facets of
     // a ball, which are thousands and carry next to none.
-    constexpr double smallest_share = 0.3;
+    constexpr double smallest_share = 0.1;
     const double smallest = smallest_share * transport.space.area() /
                             static_cast<double>(transport.space.elements().size());
     rule.is_mean.assign(transport.space.functions(), false);
