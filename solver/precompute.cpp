@@ -41,16 +41,15 @@ std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& op
                          {place(first), place(last)}, asked, progress);
 }
 
-/// Whether the error is likely to be what is asked for, but not sure to be: a few lights leave its
-/// bound high.
-bool is_open(const ErrorEstimate& estimate, double error) {
-    return estimate.rms() <= 0.9 * error && estimate.bound() > error;
+/// Whether the lights judged so far do not tell if the error is below the one asked for.
+bool is_open(const Interval& estimated, double error) {
+    return estimated.low <= error && estimated.high > error;
 }
 
 /// What the settings are tightened by, so that the bound is below the error asked for, not its
 /// estimate only. One light in ten is granted some noise.
 double missed_by(const ErrorEstimate& estimate, double error) {
-    return std::max({estimate.rms() / (0.9 * error), estimate.bound() / error,
+    return std::max({estimate.rms() / (0.9 * error), estimate.interval().high / error,
                      estimate.ninth_of_ten() / (1.15 * error)});
 }
 
@@ -86,7 +85,8 @@ class Attempts {
         constexpr std::size_t few_lights = 8;
         if (judged_.empty()) judge_up_to(few_lights);
         estimate();
-        while (is_open(estimate_, options_.error) && judged_.size() < ground_.unseen.size()) {
+        while (is_open(estimate_.interval(), options_.error) &&
+               judged_.size() < ground_.unseen.size()) {
             judge_up_to(2 * judged_.size());
             estimate();
         }
@@ -120,7 +120,7 @@ class Attempts {
         provenance.oracle = options_.oracle == OracleKind::geometric ? "geometric" : "variation";
         provenance.error_asked = options_.error;
         provenance.error_estimated = estimate_.rms();
-        provenance.error_bound = estimate_.bound();
+        provenance.error_bound = estimate_.interval().high;
         if (!estimate_.by_light.empty()) provenance.error_basis = basis_of(judged_);
         provenance.energy_dropped = estimate_.energy_dropped;
         provenance.cell_size = settings.cell_size;

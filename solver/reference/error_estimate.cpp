@@ -59,12 +59,12 @@ double ErrorEstimate::rms() const {
     return by_light.empty() ? 0 : std::sqrt(squares / static_cast<double>(by_light.size()));
 }
 
-double ErrorEstimate::bound() const {
-    if (by_light.size() < 2) return rms();
+Interval ErrorEstimate::interval() const {
+    if (by_light.size() < 2) return {rms(), rms(), rms()};
     std::vector<WeighedValue> squares;
     for (const double error : by_light)
         squares.push_back({error * error});
-    return rms_interval(squares).high;
+    return rms_interval(squares);
 }
 
 double ErrorEstimate::ninth_of_ten() const {

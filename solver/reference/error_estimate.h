@@ -9,6 +9,7 @@
 #include "radiance4d/progress.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/visibility.h"
+#include "solver/reference/confidence.h"
 #include "solver/reference/path_tracer.h"
 #include "solver/reference/surface_points.h"
 
@@ -81,9 +82,9 @@ struct ErrorEstimate {
 
     /// Root mean square over the lights.
     double rms() const;
-    /// Upper end of the interval of 95 % in which it lies for lamps anywhere (see rms_interval);
-    /// the rms itself where there are less than two lights.
-    double bound() const;
+    /// The same with the interval of 95 % in which it lies for lamps anywhere (see rms_interval);
+    /// the rms alone where there are less than two lights.
+    Interval interval() const;
     /// The error that nine lights of ten stay below, from the lights there are.
     double ninth_of_ten() const;
 };
