@@ -5,6 +5,36 @@
 
 namespace lightwell {
 
+namespace {
+
+/// By a material that stands for the element's.
+Rgb lamps_reflected(const GlobalTransport& transport, const DirectLight& direct,
+                    const std::vector<Light>& lights, std::size_t element, const Material& material,
+                    const Vec3& point, const Vec3& direction) {
+    const Element& e = transport.space.element(element);
+    const Eigen::Matrix3d frame = local_frame(e.geometry);
+    const Vec3 towards = frame.transpose() * direction;
+    if (!(towards[2] > 0)) return Rgb::Zero();
+    Rgb sum = Rgb::Zero();
+    for (const Light& light : lights) {
+        const Rgb irradiance = direct.from_light(point, frame.col(2), e.quad, light);
+        if (!(irradiance > 0).any()) continue;
+        const Vec3 in = frame.transpose() * (position_of(light) - point).normalized();
+        sum += brdf(material, in, towards) * irradiance;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Rgb lobe_of_lamps(const GlobalTransport& transport, const DirectLight& direct,
+                  const std::vector<Light>& lights, std::size_t element, const Vec3& point,
+                  const Vec3& direction) {
+    Material lobe = transport.scene.material_of(transport.space.element(element).quad);
+    lobe.reflectance = Rgb::Zero();
+    return lamps_reflected(transport, direct, lights, element, lobe, point, direction);
+}
+
 GlossyLight::GlossyLight(const GlobalTransport& transport, const DirectLight& direct,
                          const std::vector<Light>& lights, const Lighting& lighting)
     : transport_(transport),
@@ -16,32 +46,14 @@ GlossyLight::GlossyLight(const GlobalTransport& transport, const DirectLight& di
                propagated(transport.bounce, emission_of(transport.scene, transport.space))) {}
 
 Rgb GlossyLight::from_lamps(std::size_t element, const Vec3& point, const Vec3& direction) const {
-    return reflected_lamps(element,
-                           transport_.scene.material_of(transport_.space.element(element).quad),
-                           point, direction);
+    const int quad = transport_.space.element(element).quad;
+    return lamps_reflected(transport_, direct_, lights_, element,
+                           transport_.scene.material_of(quad), point, direction);
 }
 
 Rgb GlossyLight::lobe_from_lamps(std::size_t element, const Vec3& point,
                                  const Vec3& direction) const {
-    Material lobe = transport_.scene.material_of(transport_.space.element(element).quad);
-    lobe.reflectance = Rgb::Zero();
-    return reflected_lamps(element, lobe, point, direction);
-}
-
-Rgb GlossyLight::reflected_lamps(std::size_t element, const Material& material, const Vec3& point,
-                                 const Vec3& direction) const {
-    const Element& e = transport_.space.element(element);
-    const Eigen::Matrix3d frame = local_frame(e.geometry);
-    const Vec3 towards = frame.transpose() * direction;
-    if (!(towards[2] > 0)) return Rgb::Zero();
-    Rgb sum = Rgb::Zero();
-    for (const Light& light : lights_) {
-        const Rgb irradiance = direct_.from_light(point, frame.col(2), e.quad, light);
-        if (!(irradiance > 0).any()) continue;
-        const Vec3 in = frame.transpose() * (position_of(light) - point).normalized();
-        sum += brdf(material, in, towards) * irradiance;
-    }
-    return sum;
+    return lobe_of_lamps(transport_, direct_, lights_, element, point, direction);
 }
 
 Rgb GlossyLight::of(const GlossyProduct& product, std::size_t element, const Vec3& point,

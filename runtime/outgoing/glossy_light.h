@@ -15,6 +15,12 @@ struct GatheredRadiance {
     Rgb emitted = Rgb::Zero();   ///< of the light of emitting quads
 };
 
+/// What the lobe of a glossy element makes of the light of lamps, exactly, with shadow rays: the
+/// radiance [cd/m2] towards a unit direction, at a point of the element.
+Rgb lobe_of_lamps(const GlobalTransport& transport, const DirectLight& direct,
+                  const std::vector<Light>& lights, std::size_t element, const Vec3& point,
+                  const Vec3& direction);
+
 /// The light that leaves glossy surfaces. What came from lamps is exact, with shadow rays: a
 /// highlight is as sharp as the material makes it. The rest is the product of the solved incident
 /// light with the BRDF.
@@ -40,9 +46,6 @@ class GlossyLight {
     Rgb radiance(std::size_t element, const Vec3& point, const Vec3& direction) const;
 
   private:
-    /// Of a material that stands for the element's.
-    Rgb reflected_lamps(std::size_t element, const Material& material, const Vec3& point,
-                        const Vec3& direction) const;
     Rgb of(const GlossyProduct& product, std::size_t element, const Vec3& point,
            const Vec3& direction) const;
 

@@ -137,6 +137,42 @@ TEST_F(RenderedCornellBox, LivePicturesAreThoseDrawnPointByPoint) {
         1);
 }
 
+// A glossy floor that reflects an emitting ceiling and a lamp.
+TEST(Render, ShowsGlossAlikeByShadersAndPointByPoint) {
+    const ScratchFolder folder;
+    folder.write("two.obj",
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                 "usemtl floor\nf 1 2 3 4\nusemtl top\nf 8 7 6 5\n");
+    const std::string scene =
+        folder.write("scene.toml",
+                     "geometry = \"two.obj\"\n[material.top]\nreflectance = 0.5\nemission = 10\n"
+                     "[material.floor]\nreflectance = 0.1\nexponent = 20\nspecular = 0.6\n"
+                     "[[light]]\ntype = \"point\"\nposition = [0.4, 0.7, 0.5]\nintensity = 10\n"
+                     "[camera]\nposition = [0.5, -1.2, 0.7]\ntarget = [0.5, 0.5, 0]\n");
+    const std::string file = folder / "g.gto";
+    ASSERT_EQ(
+        lightwell({"precompute", scene, "-o", file, "--error", "0.3", "--attempts", "0"}).status,
+        0);
+    for (const char* view : {"total", "direct", "indirect"}) {
+        std::vector<Image> images;
+        for (const char* way : {"--textures", "--live", "--no-gather"}) {
+            const std::string picture = folder / "p.exr";
+            const ProgramRun run =
+                lightwell({"render", file, "--view", view, way, "--size", "64x48", "-o", picture});
+            ASSERT_EQ(run.status, 0) << run.err;
+            images.push_back(read_exr(picture).image);
+        }
+        double off = 0, whole = 0, other = 0;
+        for (std::size_t k = 0; k < images[0].pixels().size(); ++k) {
+            off += static_cast<double>((images[0].pixels()[k] - images[1].pixels()[k]).abs().sum());
+            whole += static_cast<double>(images[0].pixels()[k].sum());
+            other += static_cast<double>(images[2].pixels()[k].sum());
+        }
+        EXPECT_LT(off, 0.01 * whole) << view;
+        EXPECT_NEAR(whole, other, 0.1 * whole) << view;
+    }
+}
+
 TEST_F(RenderedCornellBox, LampsAreProjectedInTheWayAskedFor) {
     const Image rays = rendered({"--view", "indirect", "--live", "--projection", "rays"}).image;
     const Image queries =

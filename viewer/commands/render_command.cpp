@@ -47,6 +47,7 @@ class LitSurfaces {
                 opened.transport, std::make_unique<ShadowProjection>(
                                       opened.transport.space, opened.quads, opened.occluders));
             frame_->light(lights_);
+            frame_->look(eye);
             return;
         }
         lit_ = std::make_unique<LitScene>(opened, lights_);
@@ -92,15 +93,31 @@ class LitSurfaces {
                   const Rgb& irradiance) const {
         const int e = opened_.transport.space.element_on(quad, front);
         const auto element = static_cast<std::size_t>(e);
-        if (e < 0 || !glossy_ || !glossy_->shows(element))
+        if (e < 0 || !shows_lobe(element))
             return albedo_[opened_.transport.scene.material_number(quad)] / M_PI * irradiance;
         Rgb sum = opened_.transport.scene.material_of(quad).reflectance / M_PI * irradiance;
-        const GatheredRadiance lobe = glossy_->at(
+        const GatheredRadiance lobe = lobe_at(
             element, opened_.transport.space.element(element).geometry.parameters(position));
         if (view_ != View::direct) sum += lobe.indirect;
         if (view_ != View::indirect)
-            sum += lobe.emitted + lit_->glossy()->lobe_from_lamps(element, position, to_eye);
+            sum += lobe.emitted +
+                   lobe_of_lamps(opened_.transport, direct_, lights_, element, position, to_eye);
         return sum;
+    }
+
+    bool shows_lobe(std::size_t element) const {
+        if (glossy_) return glossy_->shows(element);
+        return frame_ && frame_->is_glossy() &&
+               opened_.transport.space.element(element).angle.levels() > 0;
+    }
+
+    /// What an element's lobe sends to the eye of indirect and of emitted light.
+    GatheredRadiance lobe_at(std::size_t element, const Vec2& uv) const {
+        if (glossy_) return glossy_->at(element, uv);
+        const auto read = [&](const TextureAtlas& atlas) -> Rgb {
+            return atlas.bilinear(element, uv[0], uv[1]).head<3>().cast<double>();
+        };
+        return {read(frame_->lobes()), read(frame_->emitted_lobes())};
     }
 
     /// [lx]

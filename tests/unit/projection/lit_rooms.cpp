@@ -1,5 +1,6 @@
 #include "tests/unit/projection/lit_rooms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -85,6 +86,34 @@ void expect_same_flux(const LitRoom& room, const RadianceField& field, const Rad
             EXPECT_NEAR(room.flux(e, field), expected, std::max(1e-5, 2 * relative * least) * total)
                 << name << ", element " << e;
     }
+}
+
+Flicker flicker_of(const LitRoom& room, LightProjection& projection, int frames) {
+    PackedField direct = room.darkness();
+    const std::size_t elements = room.space.elements().size();
+    std::vector<std::vector<double>> error(elements);
+    for (int frame = 0; frame < frames; ++frame) {
+        const std::vector<Light> light = {
+            lamp(Vec3(0.4 + 0.008 * frame, 0.5 + 0.006 * frame, 2.1 - 0.001 * frame))};
+        projection.project(light, direct);
+        const RadianceField field = unpacked(direct), truth = room.truth(light);
+        for (std::size_t e = 0; e < elements; ++e) {
+            const double wanted = room.flux(e, truth);
+            const bool counts = wanted > 1e-3 * room.total_flux(truth);
+            error[e].push_back(counts ? room.flux(e, field) / wanted - 1 : 0);
+        }
+    }
+    Flicker flicker;
+    for (const std::vector<double>& of : error) {
+        double squares = 0;
+        for (std::size_t f = 1; f < of.size(); ++f) {
+            flicker.largest_step = std::max(flicker.largest_step, std::abs(of[f] - of[f - 1]));
+            if (f > 1) squares += std::pow(of[f] - 2 * of[f - 1] + of[f - 2], 2);
+        }
+        flicker.second_difference =
+            std::max(flicker.second_difference, std::sqrt(squares / frames));
+    }
+    return flicker;
 }
 
 }  // namespace lightwell::testing

@@ -6,6 +6,7 @@
 #include "radiance4d/basis/radiance_space.h"
 #include "radiance4d/scene/light.h"
 #include "radiance4d/scene/occluder_tree.h"
+#include "runtime/projection/light_projection.h"
 #include "runtime/propagation/packed_field.h"
 
 namespace lightwell::testing {
@@ -43,5 +44,15 @@ SpotLight spot(const Vec3& position, const Vec3& direction, double inner, double
 void expect_same_flux(const LitRoom& room, const RadianceField& field, const RadianceField& truth,
                       double relative, double of_total, const std::string& name,
                       double least = 1e-4);
+
+/// How the error of E jumps about while a lamp moves: of (E - E_exact) / E on any element that
+/// receives more than 1e-3 of all.
+struct Flicker {
+    double second_difference = 0;  ///< root mean square over the frames
+    double largest_step = 0;       ///< between two frames
+};
+
+/// Across the closed room, a centimetre a frame.
+Flicker flicker_of(const LitRoom& room, LightProjection& projection, int frames);
 
 }  // namespace lightwell::testing

@@ -15,6 +15,8 @@ namespace {
 
 using testing::closed_room;
 using testing::expect_same_flux;
+using testing::Flicker;
+using testing::flicker_of;
 using testing::lamp;
 using testing::lit_room;
 using testing::LitRoom;
@@ -110,6 +112,14 @@ TEST_F(OcclusionQueries, CountSmallAndNearlyDarkSidesAsExactlyAsOthers) {
         name << "lamp at " << place.transpose();
         expect_same_flux(room, projected(room, light), room.truth(light), 5e-3, 2e-3, name.str());
     }
+}
+
+TEST_F(OcclusionQueries, DoNotFlicker) {
+    const LitRoom room = closed_room();
+    OcclusionQueryProjection projection(room.space, room.quads, room.occluders, context_->loader());
+    const Flicker flicker = flicker_of(room, projection, 40);
+    EXPECT_LE(flicker.second_difference, 2e-3);
+    EXPECT_LE(flicker.largest_step, 5e-3);
 }
 
 TEST_F(OcclusionQueries, LightsAddUp) {

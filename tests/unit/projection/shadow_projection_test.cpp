@@ -16,6 +16,8 @@ namespace {
 
 using testing::closed_room;
 using testing::expect_same_flux;
+using testing::Flicker;
+using testing::flicker_of;
 using testing::lamp;
 using testing::lit_room;
 using testing::LitRoom;
@@ -136,34 +138,12 @@ TEST(ShadowProjection, MatchesTheClosedFormsOfAHardShadow) {
     }
 }
 
-// As a lamp moves by a centimetre a frame: the error must not jump about.
 TEST(ShadowProjection, DoesNotFlicker) {
     const LitRoom room = closed_room();
     ShadowProjection projection(room.space, room.quads, room.occluders);
-    PackedField direct = room.darkness();
-    constexpr int frames = 200;
-    const std::size_t elements = room.space.elements().size();
-    std::vector<std::vector<double>> error(elements);
-    for (int frame = 0; frame < frames; ++frame) {
-        const std::vector<Light> light = {
-            lamp(Vec3(0.4 + 0.008 * frame, 0.5 + 0.006 * frame, 2.1 - 0.001 * frame))};
-        projection.project(light, direct);
-        const RadianceField field = unpacked(direct), truth = room.truth(light);
-        for (std::size_t e = 0; e < elements; ++e) {
-            const double wanted = room.flux(e, truth);
-            const bool counts = wanted > 1e-3 * room.total_flux(truth);
-            error[e].push_back(counts ? room.flux(e, field) / wanted - 1 : 0);
-        }
-    }
-    for (std::size_t e = 0; e < elements; ++e) {
-        double squares = 0, largest_step = 0;
-        for (std::size_t f = 2; f < frames; ++f) {
-            squares += std::pow(error[e][f] - 2 * error[e][f - 1] + error[e][f - 2], 2);
-            largest_step = std::max(largest_step, std::abs(error[e][f] - error[e][f - 1]));
-        }
-        EXPECT_LE(std::sqrt(squares / frames), 2e-3) << "element " << e;
-        EXPECT_LE(largest_step, 5e-3) << "element " << e;
-    }
+    const Flicker flicker = flicker_of(room, projection, 200);
+    EXPECT_LE(flicker.second_difference, 2e-3);
+    EXPECT_LE(flicker.largest_step, 5e-3);
 }
 
 TEST(ShadowProjection, LightsAddUp) {
