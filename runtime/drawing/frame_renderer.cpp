@@ -10,12 +10,14 @@
 #include "radiance4d/failure.h"
 #include "runtime/drawing/camera_rays.h"
 #include "runtime/drawing/canvas.h"
+#include "runtime/drawing/developing.h"
 #include "runtime/drawing/emitter_shafts.h"
 #include "runtime/drawing/frame_shaders.h"
 #include "runtime/drawing/gl_objects.h"
 #include "runtime/drawing/gl_state.h"
 #include "runtime/drawing/index_drawing.h"
 #include "runtime/drawing/lamp_maps.h"
+#include "runtime/drawing/lamp_records.h"
 #include "runtime/drawing/record_buffer.h"
 #include "runtime/drawing/surface_records.h"
 
@@ -33,26 +35,6 @@ std::vector<Quad> scaled_quads(const Scene& scene, const SceneScale& scale) {
     return quads;
 }
 
-Record record(const Eigen::Array3d& three, double fourth) {
-    return {static_cast<float>(three[0]), static_cast<float>(three[1]),
-            static_cast<float>(three[2]), static_cast<float>(fourth)};
-}
-
-/// Position (scaled), intensity over the square of the scene's extent, axis; with the intensity and
-/// the axis the cosines within and without which a spot has all or none of its intensity.
-void append_records(const Light& light, const SceneScale& scale, std::vector<Record>& records) {
-    const double square = scale.extent * scale.extent;
-    records.push_back(record(scale.scaled(position_of(light)), 0));
-    if (const auto* spot = std::get_if<SpotLight>(&light)) {
-        const double radian = M_PI / 180;
-        records.push_back(record(spot->intensity / square, std::cos(spot->inner_angle * radian)));
-        records.push_back(record(spot->direction, std::cos(spot->outer_angle * radian)));
-    } else {
-        records.push_back(record(std::get<PointLight>(light).intensity / square, -2));
-        records.push_back(record(Vec3::UnitZ(), -3));
-    }
-}
-
 }  // namespace
 
 class FrameRenderer::Drawing {
@@ -64,8 +46,8 @@ class FrameRenderer::Drawing {
           quads_(transport.scene.quads.size()),
           surfaces_(transport, scale_),
           indices_(gl_, scaled_quads(transport.scene, scale_)),
-          developing_(make_program(gl_, covering_vertex_shader(), developing_shader().c_str())),
-          covering_(make_vertex_array(gl_)),
+          covering_(gl_),
+          developing_(gl_, covering_),
           surface_buffer_(gl_),
           lamp_buffer_(gl_),
           emitter_buffer_(gl_),
@@ -124,7 +106,7 @@ class FrameRenderer::Drawing {
         const KeptFramebuffer kept(gl_);
         draw_light(camera, view, width, height);
         kept.bind_drawn();
-        develop(view, width, height);
+        developing_.draw(canvas_->light_texture(), view, width, height);
         check_gl(gl_, "drawing a frame");
     }
 
@@ -132,25 +114,7 @@ class FrameRenderer::Drawing {
         LIGHTWELL_CHECK_OP(view.coarseness, ==, 1);
         const KeptFramebuffer kept(gl_);
         draw_light(camera, view, width, height);
-        const int samples = view.samples;
-        const std::vector<float> drawn = canvas_->light();
-        LinearPicture picture{width, height, {}};
-        picture.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                for (int channel = 0; channel < 3; ++channel) {
-                    float sum = 0;
-                    for (int k = 0; k < samples * samples; ++k) {
-                        const int row = samples * (height - 1 - y) + k / samples;
-                        const int column = samples * x + k % samples;
-                        sum += drawn[4 * (static_cast<std::size_t>(row) *
-                                              static_cast<std::size_t>(canvas_->width()) +
-                                          static_cast<std::size_t>(column)) +
-                                     static_cast<std::size_t>(channel)];
-                    }
-                    picture.rgb.push_back(sum / static_cast<float>(samples * samples));
-                }
-        return picture;
+        return mean_of_samples(*canvas_, view.samples, width, height);
     }
 
     std::optional<SeenSurface> seen_at(int x, int y) const {
@@ -242,35 +206,7 @@ class FrameRenderer::Drawing {
         program.set("first_list", first_list_);
         program.set("bilinear", view.bilinear ? 1 : 0);
         program.set("difference_range", view.difference_range);
-        cover();
-    }
-
-    void develop(const FrameView& view, int width, int height) const {
-        LIGHTWELL_CHECK_OP(view.lux_maximum, >, 0);
-        LIGHTWELL_CHECK_OP(view.lux_divisions, >=, 1);
-        gl_.disable(GL_FRAMEBUFFER_SRGB);
-        gl_.viewport(0, 0, width, height);
-        ProgramInUse program(gl_, developing_);
-        program.set_texture("picture_light", GL_TEXTURE_2D, canvas_->light_texture());
-        program.set("samples", view.samples);
-        program.set("width", width);
-        program.set("height", height);
-        const bool is_luminance = view.picture == Picture::total ||
-                                  view.picture == Picture::direct ||
-                                  view.picture == Picture::indirect;
-        program.set("mode", is_luminance ? 0 : view.picture == Picture::lux ? 1 : 2);
-        program.set("factor", std::exp2(view.exposure));
-        program.set("maximum", view.lux_maximum);
-        program.set("divisions", 1.0 * view.lux_divisions);
-        program.set("filmic", view.tone_curve ? 1 : 0);
-        program.set("contours", view.contours ? 1 : 0);
-        cover();
-    }
-
-    void cover() const {
-        gl_.bind_vertex_array(covering_.name());
-        gl_.draw_arrays(GL_TRIANGLES, 0, 3);
-        gl_.bind_vertex_array(0);
+        covering_.draw();
     }
 
     GlFunctions gl_;
@@ -279,7 +215,8 @@ class FrameRenderer::Drawing {
     SurfaceRecords surfaces_;
     IndexDrawing indices_;
     std::map<Picture, GlObject> lighting_;  ///< made when first needed
-    GlObject developing_, covering_;
+    Covering covering_;
+    Developing developing_;
     RecordBuffer surface_buffer_, lamp_buffer_, emitter_buffer_, shaft_buffer_;
     GlObject shown_, exact_, lobes_, emitted_lobes_;
     LampMaps lamp_maps_;

@@ -7,6 +7,7 @@
 #include "radiance4d/operator/global_transport.h"
 #include "runtime/drawing/frame_view.h"
 #include "runtime/drawing/gl_functions.h"
+#include "runtime/drawing/linear_picture.h"
 #include "runtime/drawing/texture_atlas.h"
 
 namespace lightwell {
@@ -24,13 +25,6 @@ struct SeenSurface {
     int quad = 0;
     bool front = true;             ///< which of its sides
     Vec3 position = Vec3::Zero();  ///< where the pixel's ray meets it [m]
-};
-
-/// A linear picture, row by row, the top row first.
-struct LinearPicture {
-    int width = 0;
-    int height = 0;
-    std::vector<float> rgb;  ///< 3 floats a pixel
 };
 
 /// Draws a scene in real time: direct light per pixel with shadows, indirect light from textures.
