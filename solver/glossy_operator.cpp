@@ -36,6 +36,7 @@ RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Set
     result.oracle.partial_tolerance =
         result.oracle.partial_tolerance / result.oracle.tolerance * settings.oracle_tolerance;
     result.oracle.tolerance = settings.oracle_tolerance;
+    result.directions.tolerance *= settings.oracle_tolerance / GeometricOracleOptions().tolerance;
     result.angle = angular_resolution(options.error);
     return result;
 }

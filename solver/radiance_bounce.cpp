@@ -19,17 +19,28 @@ namespace {
 constexpr int most_space_levels = 9;
 
 /// Gives the sides of glossy materials their angular cells.
-void set_angles(const Scene& scene, const AngularResolution& resolution,
-                std::vector<Element>& elements) {
-    std::vector<int> level;
-    for (const Material& material : scene.materials)
-        level.push_back(is_glossy(material) ? AngularReflection(material.lobe, resolution).level()
-                                            : 0);
+///
+/// @return how much finer directions matter, by element
+std::vector<AngularDetail> set_angles(const Scene& scene, const AngularResolution& resolution,
+                                      std::vector<Element>& elements) {
+    std::vector<AngularDetail> of_material;
+    for (const Material& material : scene.materials) {
+        if (!is_glossy(material)) {
+            of_material.push_back({0});
+            continue;
+        }
+        of_material.push_back(angular_detail(AngularReflection(material.lobe, resolution),
+                                             material.reflectance.mean(),
+                                             lobe_reflectance(material.lobe).mean()));
+    }
+    std::vector<AngularDetail> detail;
     for (Element& element : elements) {
         const std::size_t material = scene.material_number(element.quad);
-        if (element.front || scene.materials[material].reflecting == Sides::both)
-            element.angle = angular_basis(level[material]).tree();
+        const bool reflects = element.front || scene.materials[material].reflecting == Sides::both;
+        detail.push_back(reflects ? of_material[material] : AngularDetail{0});
+        element.angle = angular_basis(static_cast<int>(detail.back().size()) - 1).tree();
     }
+    return detail;
 }
 
 }  // namespace
@@ -58,7 +69,7 @@ DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions
     // 1. Elements, their cells in space and direction, and what of them is open.
     std::vector<Element> elements = ground.elements;
     set_cells(elements, options.cell_size, most_space_levels);
-    set_angles(ground.scene, options.angle, elements);
+    const std::vector<AngularDetail> detail = set_angles(ground.scene, options.angle, elements);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     double area = 0;
     for (const Element& element : elements)
@@ -73,8 +84,10 @@ DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions
     bounce.closure = close_links(elements, ground.closed, {}, pairs, progress);
 
     // 3. Links with directions wherever a side is glossy.
+    const DirectionalOracle directional(options.directions, area);
     std::vector<DirectedPair> directed =
-        directed_links(elements, pairs, ground.visibility, options.directions, progress, cost);
+        refine_directions(elements, detail, pairs, directional, ground.visibility,
+                          options.refinement, progress, cost);
     bounce.directions_off = close_directions(elements, ground.closed, directed);
     for (const DirectedPair& pair : directed)
         for (const DirectedLink& link : pair.links)

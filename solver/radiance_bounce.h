@@ -11,6 +11,7 @@
 #include "solver/transport/closure.h"
 #include "solver/transport/direct_transport.h"
 #include "solver/transport/directed_links.h"
+#include "solver/transport/directed_refiner.h"
 #include "solver/transport/geometric_oracle.h"
 
 namespace lightwell {
@@ -20,7 +21,8 @@ struct RadianceBounceOptions {
     double cell_size = 0.25;  ///< largest side of a finest spatial cell [m]; > 0
     GeometricOracleOptions oracle;
     AngularResolution angle;
-    DirectedLinkOptions directions;
+    DirectionalOracleOptions directions;
+    DirectedRefinerOptions refinement;
 };
 
 /// What lobes are represented to for an error of indirect light: the last reflection, towards the

@@ -11,6 +11,7 @@
 
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/basis/direction_map.h"
+#include "solver/transport/even_points.h"
 
 namespace lightwell {
 
@@ -31,29 +32,6 @@ std::uint32_t finest_around(const CellTree& tree, const Vec2& at) {
 std::uint32_t finest_position(const CellTree& tree, std::uint32_t cell) {
     return tree.position({tree.levels(), cell});
 }
-
-/// Points of [0,1)^4 that fill it evenly: the additive sequence on the generalised golden ratio
-/// (Roberts 2018), from a start of its own for every support.
-class EvenPoints4 {
-  public:
-    explicit EvenPoints4(std::uint64_t start) {
-        for (std::size_t k = 0; k < 4; ++k)
-            at_[k] = fraction(static_cast<double>(start % 65536) * step[3 - k] +
-                              static_cast<double>(start / 65536) * step[k]);
-    }
-    const std::array<double, 4>& next() {
-        for (std::size_t k = 0; k < 4; ++k)
-            at_[k] = fraction(at_[k] + step[k]);
-        return at_;
-    }
-
-  private:
-    static constexpr std::array<double, 4> step = {0.85667488385450287, 0.73389185662718776,
-                                                   0.62870672083239870, 0.53859725722360993};
-    static double fraction(double x) { return x - std::floor(x); }
-
-    std::array<double, 4> at_{};
-};
 
 Vec2 in_rect(const ParameterRect& r, double a, double b) {
     return {r.u0 + a * (r.u1 - r.u0), r.v0 + b * (r.v1 - r.v0)};
@@ -159,7 +137,11 @@ void join_equal(std::vector<DirectedLink>& links) {
 }
 
 /// The finest cells below a cell: a run of numbers.
-std::pair<std::uint32_t, std::uint32_t> finest_below(const CellTree& tree, std::uint32_t position) {
+struct Run {
+    std::uint32_t first = 0, end = 0;
+};
+
+Run finest_below(const CellTree& tree, std::uint32_t position) {
     const Cell cell = tree.at(position);
     const std::uint32_t count = tree.functions() / tree.cells(cell.level);
     return {cell.index * count, (cell.index + 1) * count};
@@ -183,12 +165,15 @@ class Fullness {
             }
     }
 
-    /// By how much the sampled links of a finest support should grow.
+    /// By how much the sampled links of a support should grow: on the mean over its finest parts.
     double gain(std::uint32_t e, std::uint32_t space, std::uint32_t angle) const {
-        const std::size_t at =
-            place(elements_[e], finest_below(elements_[e].space.tree(), space).first, angle);
-        const double wanted = 1 - given_[e][at];
-        return closed_[e] && wanted > 0 && sampled_[e][at] > 0 ? wanted / sampled_[e][at] : 1;
+        if (!closed_[e]) return 1;
+        double wanted = 0, there = 0;
+        for_finest(elements_[e], space, angle, [&](std::size_t at, double area) {
+            wanted += area * (1 - given_[e][at]);
+            there += area * sampled_[e][at];
+        });
+        return wanted > 0 && there > 0 ? wanted / there : 1;
     }
 
     double rms() const {
@@ -211,17 +196,26 @@ class Fullness {
   private:
     using Share = std::vector<std::vector<double>>;  // finest cell * angular cells + angular cell
 
-    static std::size_t place(const Element& element, std::uint32_t cell, std::uint32_t angle) {
-        return std::size_t{cell} * element.angle.functions() + element.angle.at(angle).index;
+    /// Calls `f` with the place of every finest direction of a support in its list, and its area.
+    template <typename F>
+    static void for_finest(const Element& element, std::uint32_t space, std::uint32_t angle,
+                           const F& f) {
+        const Run cells = finest_below(element.space.tree(), space);
+        const Run angles = finest_below(element.angle, angle);
+        for (std::uint32_t m = cells.first; m < cells.end; ++m) {
+            const double area = element.space.area({element.space.tree().levels(), m});
+            for (std::uint32_t a = angles.first; a < angles.end; ++a)
+                f(std::size_t{m} * element.angle.functions() + a, area);
+        }
     }
 
     void add(std::uint32_t e, std::uint32_t space, std::uint32_t angle, const DirectedLink& link) {
         const Element& element = elements_[e];
-        const double density =
-            link.exchange * element.angle.functions() / element.space.area_at(space);
-        const auto [first, end] = finest_below(element.space.tree(), space);
-        for (std::uint32_t m = first; m < end; ++m)
-            (link.sampled ? sampled_ : given_)[e][place(element, m, angle)] += density;
+        const Run angles = finest_below(element.angle, angle);
+        const double density = link.exchange * element.angle.functions() /
+                               (angles.end - angles.first) / element.space.area_at(space);
+        std::vector<double>& share = (link.sampled ? sampled_ : given_)[e];
+        for_finest(element, space, angle, [&](std::size_t at, double) { share[at] += density; });
     }
 
     const std::vector<Element>& elements_;

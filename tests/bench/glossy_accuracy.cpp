@@ -1,6 +1,6 @@
 // How far does radiance by direction follow a lobe, and at what cost?
 //
-//     glossy_accuracy [--cell METRES] [--tolerance T] [--rays N] [--samples N] [EXPONENT ...]
+//     glossy_accuracy [--cell METRES] [--tolerance T] [--directions T] [--samples N] [EXPONENT ...]
 //
 // prints one CSV row per Phong exponent, for a closed room with a glossy floor and a block on it,
 // lit by one lamp: what the representation needs (angular level, its error, whether that is within
@@ -94,7 +94,8 @@ int main(int argc, char** argv) {
     app.add_option("exponents", exponents);
     app.add_option("--cell", options.cell_size, "largest side of a finest spatial cell [m]");
     app.add_option("--tolerance", options.angle.tolerance, "of the angular representation");
-    app.add_option("--rays", options.directions.rays, "from each finest cell and direction");
+    app.add_option("--directions", options.directions.tolerance,
+                   "of links for directions that they do not tell apart");
     app.add_option("--samples", samples, "paths a probe");
     CLI11_PARSE(app, argc, argv);
     std::cout << "exponent,level,angular_error,follows,functions,directed_links,rays,coefficients,"
