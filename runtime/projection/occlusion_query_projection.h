@@ -33,8 +33,11 @@ class OcclusionQueryProjection : public LightProjection {
   private:
     void add(const Light& light);
 
-    std::vector<ElementCells> cells_;                       ///< by element
-    std::vector<std::vector<float>> unoccluded_;            ///< by element and finest cell [lm/cd]
+    std::vector<ElementCells> cells_;  ///< by element
+    int finer_;                        ///< levels that cells are looked at below the finest
+    RadianceSpace finer_space_;
+    std::vector<ElementCells> finer_cells_;                 ///< by element
+    std::vector<std::vector<float>> unoccluded_;            ///< by element and finer cell [lm/cd]
     std::vector<PackedField> flux_;                         ///< scratch, by element
     std::vector<std::unique_ptr<DirectedCells>> directed_;  ///< by element, of glossy ones
     VisibleShares shares_;

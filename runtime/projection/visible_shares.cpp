@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "radiance4d/scene/visibility.h"
@@ -17,6 +18,9 @@ constexpr double off_by = 0.3;
 constexpr double least_flux = 2e-5;
 /// How often an element that is seen from near is halved, to be looked at in so many parts.
 constexpr int most_halvings = 4;
+/// Quarters of a cell of the basis are looked at if the light on them differs by more than this
+/// share of the flux on the element.
+constexpr double uneven = 5e-5;
 
 bool is_within(const ParameterRect& inner, const ParameterRect& outer) {
     return inner.u0 >= outer.u0 && inner.u1 <= outer.u1 && inner.v0 >= outer.v0 &&
@@ -55,10 +59,13 @@ std::vector<int> VisibleShares::quads_of(const RadianceSpace& space) {
 }
 
 VisibleShares::VisibleShares(const RadianceSpace& space, const std::vector<ElementCells>& cells,
-                             const std::vector<Quad>& quads, const OccluderTree& occluders,
-                             const GlLoader& loader, const OcclusionQueryOptions& options)
+                             int finer, const std::vector<Quad>& quads,
+                             const OccluderTree& occluders, const GlLoader& loader,
+                             const OcclusionQueryOptions& options)
     : options_(options),
       cells_(cells),
+      finer_(finer),
+      whole_flux_(cells.size()),
       occluders_(occluders),
       looked_at_(cells.size()),
       depth_(quads, parts_of(space), quads_of(space), options.side, loader) {
@@ -79,6 +86,9 @@ std::uint64_t VisibleShares::take_queries() {
 }
 
 void VisibleShares::find(const Vec3& lamp, const std::vector<std::vector<float>>& flux) {
+    flux_ = &flux;
+    for (std::size_t e = 0; e < cells_.size(); ++e)
+        whole_flux_[e] = std::accumulate(flux[e].begin(), flux[e].end(), 0.0);
     look_round(lamp);
     double all = 0;
     for (std::size_t e = 0; e < cells_.size(); ++e)
@@ -195,13 +205,29 @@ void VisibleShares::settle(const Pending& pending, const CountedPart& seen) {
     const float share =
         seen.all > 0 ? static_cast<float>(seen.visible) / static_cast<float>(seen.all) : above;
     const bool is_mixed = share > 0 && share < 1;
-    if (is_mixed && !tree.is_finest(cell) && seen.all >= options_.fewest_pixels) {
+    if (is_mixed && seen.all >= options_.fewest_pixels && is_worth_splitting(element, cell)) {
         for (std::uint32_t c = 0; c < tree.children(cell.level); ++c)
             next_.push_back({element, tree.child(cell, c), share, view});
         return;
     }
     looked_at_[element].pixels += seen.all;
     fill(element, cell, share, is_mixed ? std::max(seen.all, 1U) : 0);
+}
+
+bool VisibleShares::is_worth_splitting(std::size_t element, const Cell& cell) const {
+    const CellTree& tree = cells_[element].tree();
+    if (tree.is_finest(cell)) return false;
+    if (cell.level < tree.levels() - finer_) return true;
+    // Pixels of a cell count alike; what that is wrong by is less than its quarters differ.
+    const std::uint32_t count = tree.functions() / tree.cells(cell.level) / 4;
+    auto at = (*flux_)[element].begin() + static_cast<std::ptrdiff_t>(4 * cell.index) * count;
+    double least = whole_flux_[element], most = 0;
+    for (int quarter = 0; quarter < 4; ++quarter, at += count) {
+        const double flux = std::accumulate(at, at + count, 0.0);
+        least = std::min(least, flux);
+        most = std::max(most, flux);
+    }
+    return most - least > uneven * whole_flux_[element];
 }
 
 void VisibleShares::fill(std::size_t element, const Cell& cell, float share, std::uint32_t mixed) {

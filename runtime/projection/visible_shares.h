@@ -16,7 +16,7 @@ struct OcclusionQueryOptions {
     std::uint32_t fewest_pixels = 12;
     /// Share of the flux on an element that its pixels may leave open, before it gets a view of its
     /// own.
-    double error = 2e-3;
+    double error = 1e-3;
     /// Views that an element may get, each of what the last one has found to be lit.
     int most_looks = 3;
 };
@@ -30,13 +30,15 @@ struct OcclusionQueryOptions {
 /// level of precision follows from what a quad takes up of the lamp's sky.
 ///
 /// A shadow's edge that runs along pixels is off by up to half of one. Where that may be too much
-/// of the flux on an element, the element is looked at once more, in a view that it fills; and if
-/// it is mostly dark, in one that its lit part fills.
+/// of the flux on an element, the element is looked at once more, in a view that it fills, or in
+/// parts, if the lamp is near; and if it is mostly dark, in one that its lit part fills.
 class VisibleShares {
   public:
     /// Keeps references to the cells, by element, and to the occluders, which belong to `quads`.
     /// The context that the loader belongs to must be current here, in find(), and at the end.
-    VisibleShares(const RadianceSpace& space, const std::vector<ElementCells>& cells,
+    /// @param finer  so many of the cells' levels, the finest ones, are looked at only where the
+    ///               light on a cell is uneven
+    VisibleShares(const RadianceSpace& space, const std::vector<ElementCells>& cells, int finer,
                   const std::vector<Quad>& quads, const OccluderTree& occluders,
                   const GlLoader& loader, const OcclusionQueryOptions& options);
 
@@ -78,6 +80,7 @@ class VisibleShares {
     void add_cells_within(const ParameterRect& rect, const Cell& cell, const Pending& like);
     void look_at_level();
     void settle(const Pending& pending, const CountedPart& seen);
+    bool is_worth_splitting(std::size_t element, const Cell& cell) const;
     void fill(std::size_t element, const Cell& cell, float share, std::uint32_t mixed);
     double lit_flux(std::size_t element, const std::vector<float>& flux) const;
     bool is_uncertain(std::size_t element, const std::vector<float>& flux, double all) const;
@@ -86,6 +89,9 @@ class VisibleShares {
 
     OcclusionQueryOptions options_;
     const std::vector<ElementCells>& cells_;
+    int finer_;
+    const std::vector<std::vector<float>>* flux_ = nullptr;  ///< of the call to find()
+    std::vector<double> whole_flux_;                         ///< by element, of the call to find()
     const OccluderTree& occluders_;
     std::vector<Quad> geometry_;             ///< by element
     std::vector<int> quad_;                  ///< by element

@@ -116,8 +116,11 @@ TEST_F(OcclusionQueries, CountSmallAndNearlyDarkSidesAsExactlyAsOthers) {
 
 TEST_F(OcclusionQueries, DoNotFlicker) {
     const LitRoom room = closed_room();
-    OcclusionQueryProjection projection(room.space, room.quads, room.occluders, context_->loader());
-    const Flicker flicker = flicker_of(room, projection, 40);
+    OcclusionQueryOptions coarse;
+    coarse.side = 512;
+    OcclusionQueryProjection projection(room.space, room.quads, room.occluders, context_->loader(),
+                                        coarse);
+    const Flicker flicker = flicker_of(room, projection, 20);
     EXPECT_LE(flicker.second_difference, 2e-3);
     EXPECT_LE(flicker.largest_step, 5e-3);
 }
