@@ -81,21 +81,6 @@ double cells_of(const std::vector<Element>& elements) {
     return cells;
 }
 
-void require_memory(const std::vector<Element>& elements, double truncation,
-                    std::uint64_t max_memory) {
-    const double cells = cells_of(elements);
-    const double needed = memory_for(cells, truncation);
-    const auto allowed = static_cast<double>(max_memory);
-    if (needed <= allowed) return;
-    const bool by_truncation = memory_for(cells, 1) <= allowed;
-    throw InputError(fmt::format(
-        "the scene has {:.0f} cells at this error, which {}take about {}; allowed are {} "
-        "(--max-memory). {}, or allow more.",
-        cells, by_truncation ? "with --truncation 0 " : "", memory_text(needed),
-        memory_text(allowed),
-        by_truncation ? "Truncate the operator" : "Ask for a larger --error"));
-}
-
 /// The elements refined as far as the settings allow.
 std::vector<Element> with_cells(std::vector<Element> elements, const Settings& settings) {
     constexpr int most_levels = 9;
@@ -127,12 +112,26 @@ double memory_for(double cells, double truncation) {
     return bytes_a_cell * cells + (truncation == 0 ? bytes_a_pair_of_cells * cells * cells : 0);
 }
 
+void require_memory(double cells, double needed, double truncated, std::uint64_t max_memory) {
+    const auto allowed = static_cast<double>(max_memory);
+    if (needed <= allowed) return;
+    const bool by_truncation = truncated <= allowed;
+    throw InputError(fmt::format(
+        "the scene has {:.0f} cells at this error, which {}take about {}; allowed are {} "
+        "(--max-memory). {}, or allow more.",
+        cells, by_truncation ? "with --truncation 0 " : "", memory_text(needed),
+        memory_text(allowed),
+        by_truncation ? "Truncate the operator" : "Ask for a larger --error"));
+}
+
 GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& options,
                                  const Settings& settings, const Progress& progress,
                                  OracleCost& cost, StageClock& clock, PrecomputeReport& report) {
     std::vector<Element> elements = with_cells(ground.elements, settings);
     report.blind_sides = ground.blind_sides;
-    require_memory(elements, settings.truncation, options.max_memory);
+    const double cells = cells_of(elements);
+    require_memory(cells, memory_for(cells, settings.truncation), memory_for(cells, 1),
+                   options.max_memory);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     clock.lap("elements");
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
 #include "solver/ground.h"
@@ -16,6 +19,11 @@ double cells_at(const std::vector<Element>& elements, const Settings& settings);
 /// Memory [bytes] that the operators of so many cells take to compute, about; without truncation
 /// they are dense.
 double memory_for(double cells, double truncation);
+
+/// @param needed     memory [bytes] that so many cells take
+/// @param truncated  memory that they would take with truncation
+/// @throws InputError if it is more than is allowed
+void require_memory(double cells, double needed, double truncated, std::uint64_t max_memory);
 
 /// The operators of a scene without gloss for given settings: elements, links, direct transport
 /// operator, Neumann series (WRT sections 4.2 to 4.4). All of its provenance is still to be filled

@@ -1,8 +1,10 @@
 #include "solver/glossy_operator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "solver/diffuse_operator.h"
 #include "solver/radiance_bounce.h"
 #include "solver/series/directed_series.h"
 #include "solver/series/light_ensemble.h"
@@ -45,16 +47,38 @@ RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Set
 
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    constexpr double wider = 2, looser = 2;
+    constexpr double wider = 1.4;
     if (!options.cell_size) settings.cell_size *= wider;
-    if (!options.truncation) settings.truncation *= looser;
+    if (!options.truncation) settings.truncation *= glossy_looseness;
     return settings;
+}
+
+void tighten_glossy(const PrecomputeOptions& options, double missed, Settings& settings) {
+    const double factor = std::clamp(0.9 / missed, 0.5, 0.9);
+    if (!options.oracle_tolerance) settings.oracle_tolerance *= factor;
+    if (!options.truncation) settings.truncation *= std::sqrt(factor);
+    if (!options.cell_size) settings.cell_size *= factor;
+}
+
+double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
+                        const Settings& settings) {
+    return directed_functions(ground, bounce_options(options, settings));
+}
+
+double glossy_memory_for(double functions, double truncation) {
+    // Measured are 5.5 to 9 kB a function.
+    constexpr double bytes_a_function = 9000, bytes_a_pair = 120;
+    return bytes_a_function * functions +
+           (truncation == 0 ? bytes_a_pair * functions * functions : 0);
 }
 
 GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& options,
                                 const Settings& settings, const Progress& progress,
                                 OracleCost& cost, StageClock& clock, PrecomputeReport& report) {
     report.blind_sides = ground.blind_sides;
+    const double functions = glossy_functions(ground, options, settings);
+    require_memory(functions, glossy_memory_for(functions, settings.truncation),
+                   glossy_memory_for(functions, 1), options.max_memory);
     OracleCost links_cost;
     DirectedBounce bounce =
         directed_bounce(ground, bounce_options(options, settings), progress, links_cost);

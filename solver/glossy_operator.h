@@ -10,15 +10,31 @@
 
 namespace lightwell {
 
-/// First guesses for surfaces whose light has directions: cells twice as wide as on diffuse ones,
-/// since the light that one sees in a glossy surface varies with the place by way of its direction,
-/// and a truncation that stays above the noise of the rays that sampled the directions.
+/// Truncation of glossy scenes, over that of diffuse ones: it stays above the noise of the points
+/// that told the directions.
+constexpr double glossy_looseness = 2;
+
+/// First guesses for surfaces whose light has directions: cells wider than on diffuse ones, since
+/// the light that one sees in a glossy surface varies with the place by way of its direction, and a
+/// looser truncation.
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground);
+
+/// As tighten, for scenes with gloss: their error is mostly that of lamps close to a glossy
+/// surface, whose directions vary within a cell, so that cells shrink most.
+void tighten_glossy(const PrecomputeOptions& options, double missed, Settings& settings);
+
+/// Basis functions at given settings.
+double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
+                        const Settings& settings);
+
+/// Memory [bytes] that so many functions take to compute, about; without truncation their operators
+/// are dense.
+double glossy_memory_for(double functions, double truncation);
 
 /// The operators of a scene with glossy surfaces, whose light is carried by direction, for given
 /// settings: elements with angular functions, directed links, the propagation P, and the global
 /// transport operator H = T + T^2 + ..., T = P R (WRT section 4 in full). The oracle is always the
-/// geometric one. Otherwise as diffuse_operator.
+/// geometric one. Otherwise as diffuse_operator, memory included.
 GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& options,
                                 const Settings& settings, const Progress& progress,
                                 OracleCost& cost, StageClock& clock, PrecomputeReport& report);

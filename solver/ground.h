@@ -27,8 +27,8 @@ struct Ground {
     std::vector<bool> closed;       ///< by element: nothing escapes from it
     double distance = 0;            ///< that light typically travels [m]
     /// Places in rooms, each group independent of the others: where lights are expected, where
-    /// left-out coefficients are tried, and where the result is judged, from the first on as many as
-    /// it takes. A scene without room for a light, a single quad for example, has none.
+    /// left-out coefficients are tried, and where the result is judged, from the first on as many
+    /// as it takes. A scene without room for a light, a single quad for example, has none.
     std::vector<Vec3> expected, tried, unseen;
     std::uint64_t blind_sides = 0;       ///< sides dropped because they see no other side
     std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids

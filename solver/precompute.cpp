@@ -58,6 +58,38 @@ using OperatorOf = GlobalTransport (*)(const Ground&, const PrecomputeOptions&, 
                                        const Progress&, OracleCost&, StageClock&,
                                        PrecomputeReport&);
 
+/// What scenes without gloss and with it differ in.
+struct Pipeline {
+    OperatorOf operator_of;
+    Settings (*first_guess)(const PrecomputeOptions&, const Ground&);
+    void (*tighten)(const PrecomputeOptions&, double missed, Settings&);
+    /// Basis functions at given settings, and the memory [bytes] that they take.
+    double (*functions)(const Ground&, const PrecomputeOptions&, const Settings&);
+    double (*memory)(double functions, double truncation);
+    double looseness;      ///< of truncation
+    double link_cost;      ///< in links between diffuse sides
+    double worth_preview;  ///< functions from which the work is long
+};
+
+Settings diffuse_settings(const PrecomputeOptions& options, const Ground& ground) {
+    return settings_for(options, ground.distance, ground.elements.size());
+}
+
+double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const Settings& settings) {
+    return cells_at(ground.elements, settings);
+}
+
+constexpr Pipeline diffuse_pipeline = {
+    diffuse_operator, diffuse_settings, tighten, diffuse_functions, memory_for, 1, 1, 8000};
+constexpr Pipeline glossy_pipeline = {glossy_operator,
+                                      glossy_settings,
+                                      tighten_glossy,
+                                      glossy_functions,
+                                      glossy_memory_for,
+                                      glossy_looseness,
+                                      4,
+                                      50000};
+
 /// Operators of one scene, each tighter than the last, and the verdict on the last.
 class Attempts {
   public:
@@ -142,34 +174,36 @@ class Attempts {
 };
 
 /// The first guess, with what an earlier operator taught.
-Settings first_settings(const PrecomputeOptions& options, const Ground& ground) {
-    Settings settings = settings_for(options, ground.distance, ground.elements.size());
+Settings first_settings(const Pipeline& pipeline, const PrecomputeOptions& options,
+                        const Ground& ground) {
+    Settings settings = pipeline.first_guess(options, ground);
     if (!options.earlier) return settings;
-    const double guessed = error_guessed_for(*options.earlier);
+    const double guessed = error_guessed_for(*options.earlier) / pipeline.looseness;
     const double missed = guessed > 0 ? options.earlier->error_estimated / (0.9 * guessed) : 0;
-    if (missed > 1) tighten(options, missed, settings);
+    if (missed > 1) pipeline.tighten(options, missed, settings);
     return settings;
 }
 
 /// The settings of a preview, which takes a few per cent of the time; none where the work is short
 /// or hardly longer than that.
-std::optional<Settings> preview_settings(const PrecomputeOptions& options, const Ground& ground,
-                                         const Settings& settings) {
-    constexpr double coarse = 0.3, shortest_worth = 0.15, few_cells = 8000;
+std::optional<Settings> preview_settings(const Pipeline& pipeline, const PrecomputeOptions& options,
+                                         const Ground& ground, const Settings& settings) {
+    constexpr double coarse = 0.3, shortest_worth = 0.15;
     const bool by_hand = options.cell_size || options.oracle_tolerance || options.truncation;
     if (!options.preview || by_hand || options.most_attempts == 0 ||
-        options.error > shortest_worth || cells_at(ground.elements, settings) < few_cells)
+        options.error > shortest_worth ||
+        pipeline.functions(ground, options, settings) < pipeline.worth_preview)
         return std::nullopt;
     PrecomputeOptions asked = options;
     asked.error = coarse;
-    return settings_for(asked, ground.distance, ground.elements.size());
+    return pipeline.first_guess(asked, ground);
 }
 
 /// 2. to 6., again and again, until an operator is good enough or no other is allowed.
-void attempt(Attempts& attempts, const Ground& ground, const PrecomputeOptions& options,
-             const Progress& progress, PrecomputeReport& report) {
-    Settings settings = first_settings(options, ground);
-    if (const auto preview = preview_settings(options, ground, settings)) {
+void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
+             const PrecomputeOptions& options, const Progress& progress, PrecomputeReport& report) {
+    Settings settings = first_settings(pipeline, options, ground);
+    if (const auto preview = preview_settings(pipeline, options, ground, settings)) {
         progress.say("preview", 0);
         Progress silent;
         silent.stop_requested = progress.stop_requested;
@@ -179,28 +213,25 @@ void attempt(Attempts& attempts, const Ground& ground, const PrecomputeOptions& 
         const double missed = attempts.build_and_judge(settings, progress);
         const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
         // Counted in links and not in seconds, so that the result is the same on every machine.
-        const bool too_much = attempts.last()->provenance.links > options.most_links / 2;
+        const bool too_much =
+            pipeline.link_cost * static_cast<double>(attempts.last()->provenance.links) >
+            static_cast<double>(options.most_links / 2);
         if (missed <= 1 || by_hand || too_much || report.attempts >= options.most_attempts) return;
         Settings tighter = settings;
-        tighten(options, missed, tighter);
+        pipeline.tighten(options, missed, tighter);
         // What there is, is better than a failure.
-        const double cells = cells_at(ground.elements, tighter);
-        if (memory_for(cells, tighter.truncation) > static_cast<double>(options.max_memory)) return;
+        const double functions = pipeline.functions(ground, options, tighter);
+        if (pipeline.memory(functions, tighter.truncation) >
+            static_cast<double>(options.max_memory))
+            return;
         settings = tighter;
     }
 }
 
-/// Attempts at a scene with gloss: one. Where its basis is too coarse for the error asked for,
-/// tighter settings cost several times as much and gain little; the verdict says so.
-void attempt_glossy(Attempts& attempts, const Ground& ground, const PrecomputeOptions& options,
-                    const Progress& progress, PrecomputeReport& report) {
-    report.attempts = 1;
-    attempts.build_and_judge(glossy_settings(options, ground), progress);
-}
-
 /// The pipeline, of a scene with gloss or without.
-GlobalTransport precompute_alike(const Scene& scene, bool glossy, const PrecomputeOptions& options,
-                                 const Progress& progress, PrecomputeReport& report) {
+GlobalTransport precompute_alike(const Scene& scene, const Pipeline& pipeline,
+                                 const PrecomputeOptions& options, const Progress& progress,
+                                 PrecomputeReport& report) {
     StageClock clock(report.seconds);
     OracleCost cost;
     // 1. Elements: sides that can see something, and what they see.
@@ -208,10 +239,9 @@ GlobalTransport precompute_alike(const Scene& scene, bool glossy, const Precompu
     report.inside_of_solids = ground.inside_of_solids;
     clock.lap("elements");
 
-    Attempts attempts(glossy ? glossy_operator : diffuse_operator, ground, options, progress, cost,
-                      clock, report);
+    Attempts attempts(pipeline.operator_of, ground, options, progress, cost, clock, report);
     try {
-        (glossy ? attempt_glossy : attempt)(attempts, ground, options, progress, report);
+        attempt(pipeline, attempts, ground, options, progress, report);
     } catch (const Interrupted&) {
         if (attempts.last() == nullptr) throw;
         report.interrupted = true;
@@ -233,12 +263,13 @@ GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
     if (has_gloss(scene) && !options.diffuse) {
         PrecomputeOptions by_directions = options;
         by_directions.oracle = OracleKind::geometric;
-        return precompute_alike(scene, true, by_directions, progress, report);
+        return precompute_alike(scene, glossy_pipeline, by_directions, progress, report);
     }
     Scene diffuse = scene;
     std::transform(scene.materials.begin(), scene.materials.end(), diffuse.materials.begin(),
                    diffuse_of_equal_albedo);
-    GlobalTransport transport = precompute_alike(diffuse, false, options, progress, report);
+    GlobalTransport transport =
+        precompute_alike(diffuse, diffuse_pipeline, options, progress, report);
     transport.scene = scene;
     return transport;
 }

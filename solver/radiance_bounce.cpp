@@ -64,6 +64,16 @@ std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResoluti
     return needs;
 }
 
+double directed_functions(const Ground& ground, const RadianceBounceOptions& options) {
+    std::vector<Element> elements = ground.elements;
+    set_cells(elements, options.cell_size, most_space_levels);
+    set_angles(ground.scene, options.angle, elements);
+    double functions = 0;
+    for (const Element& element : elements)
+        functions += element.functions();
+    return functions;
+}
+
 DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions& options,
                                const Progress& progress, OracleCost& cost) {
     // 1. Elements, their cells in space and direction, and what of them is open.

@@ -40,6 +40,9 @@ struct AngularNeed {
 /// The needs of the glossy materials of a scene, known before anything is computed.
 std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResolution& resolution);
 
+/// Basis functions that the sides get, in space and direction.
+double directed_functions(const Ground& ground, const RadianceBounceOptions& options);
+
 /// The propagation P before anything is left out.
 struct DirectedBounce {
     RadianceSpace space;

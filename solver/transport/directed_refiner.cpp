@@ -202,12 +202,12 @@ class PairDirections {
     /// Records the link by the angular cells through which its ends see each other.
     void tell_apart(const DirectedCandidate& link, const DirectedVerdict& verdict, bool sampled) {
         // Along either axis of the unit disk that directions are projected to.
-        constexpr double disk = 2, most_spanned = 24;
+        constexpr double disk = 2, least_spanned = 0.5, most_spanned = 24;
         const double spread = std::min(
             disk, 2 * (link.receiver.reach + link.sender.reach) / std::max(link.distance, 1e-300));
         const int finest = std::max(verdict.receiver_angle, verdict.sender_angle);
         const double spanned =
-            std::clamp(spread * (1 << finest) / std::sqrt(M_PI), 1.0, most_spanned);
+            std::clamp(spread * (1 << finest) / std::sqrt(M_PI), least_spanned, most_spanned);
         const int count = static_cast<int>(std::lround(options_.points * spanned * spanned));
         const Cell &x = link.receiver.space, &y = link.sender.space;
         constexpr double near = 1;

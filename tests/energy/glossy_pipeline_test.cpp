@@ -5,10 +5,12 @@
 
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/basis/direction_map.h"
+#include "radiance4d/failure.h"
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/occluder_tree.h"
+#include "solver/glossy_operator.h"
 #include "solver/precompute.h"
 #include "solver/radiance_bounce.h"
 #include "solver/reference/radiance_tracer.h"
@@ -256,6 +258,7 @@ TEST(GlossyEstimate, SaysHowFarTheBasisIsOff) {
     const Scene scene = room_with_floor(phong(20), 0.1);
     PrecomputeOptions options;
     options.error = 0.05;
+    options.most_attempts = 1;
     PrecomputeReport report;
     const auto estimated = [&](double cell_size) {
         options.cell_size = cell_size;
@@ -267,6 +270,55 @@ TEST(GlossyEstimate, SaysHowFarTheBasisIsOff) {
     EXPECT_GT(fine, 0.02);
     EXPECT_LT(fine, 0.2);
     EXPECT_GT(coarse, 1.5 * fine);
+}
+
+// Where the first operator misses its error, a tighter one is built.
+TEST(GlossyAttempts, GoOnWhereTheErrorIsMissed) {
+    const Scene scene = room_with_floor(phong(20), 0.1);
+    PrecomputeOptions options;
+    options.error = 0.05;
+    options.cell_size = 1.6;
+    options.most_attempts = 2;
+    PrecomputeReport report;
+    const Provenance reached = precompute(scene, options, {}, report).provenance;
+    EXPECT_EQ(report.attempts, 2);
+    OracleCost cost;
+    const Settings first = glossy_settings(options, Ground(scene, cost));
+    EXPECT_LT(reached.oracle_tolerance, first.oracle_tolerance);
+    EXPECT_LT(reached.truncation, first.truncation);
+    EXPECT_GT(reached.error_estimated, options.error);
+}
+
+TEST(GlossyAttempts, ShrinkCellsMost) {
+    PrecomputeOptions options;
+    Settings settings{0.4, 1e-4, 0.06};
+    tighten_glossy(options, 3, settings);
+    EXPECT_DOUBLE_EQ(settings.cell_size, 0.2);
+    EXPECT_LT(settings.oracle_tolerance, 1e-4);
+    EXPECT_LT(settings.truncation, 0.06);
+    options.cell_size = 0.2;
+    options.truncation = settings.truncation;
+    const Settings before = settings;
+    tighten_glossy(options, 3, settings);
+    EXPECT_EQ(settings.cell_size, before.cell_size);
+    EXPECT_EQ(settings.truncation, before.truncation);
+    EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
+}
+
+// What does not fit is said before anything is computed; the directions count.
+TEST(GlossyAttempts, RefuseWhatMemoryDoesNotAllow) {
+    const Scene scene = room_with_floor(phong(20), 0.1);
+    PrecomputeOptions options;
+    options.cell_size = 0.8;
+    options.most_attempts = 0;
+    OracleCost cost;
+    const Ground ground(scene, cost);
+    const double functions = glossy_functions(ground, options, glossy_settings(options, ground));
+    PrecomputeReport report, refused;
+    EXPECT_EQ(precompute(scene, options, {}, report).space.functions(), functions);
+    options.max_memory = static_cast<std::uint64_t>(0.9 * glossy_memory_for(functions, 1));
+    EXPECT_THROW(precompute(scene, options, {}, refused), InputError);
+    EXPECT_EQ(refused.links_judged, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lobes, GlossyPipeline,
