@@ -152,7 +152,13 @@ void drawn_frame(benchmark::State& state, const std::string& name, FrameSeconds&
 
 /// The stages' medians of all scenes, by their size.
 void chart_stages(const FrameSeconds& known) {
-    Chart chart{"One frame with a moved lamp", "cells of the scene", "median of a stage (ms)", {}};
+    Chart chart{"One frame with a moved lamp", "cells of the scene:", "median of a stage (ms)", {}};
+    std::map<std::uint32_t, std::string> by_cells;
+    for (const auto& measured : known)
+        by_cells[bench_scene(measured.first).transport.space.functions()] = measured.first;
+    for (const auto& [cells, name] : by_cells)
+        chart.x_label += fmt::format(" {} {};", name, cells);
+    chart.x_label.pop_back();
     std::map<std::string, Series> by_stage;
     for (const auto& [name, stages] : known)
         for (const auto& [stage, seconds] : stages)

@@ -35,7 +35,7 @@ Handle selected_handle_at(const Visit& visit, const CameraRays& rays, const Vec2
 
 }  // namespace
 
-const std::array<HelpLine, 23> help_lines = {{
+const std::array<HelpLine, 24> help_lines = {{
     {"W A S D, arrows", "walk; Q down, E up"},
     {"Shift, Alt", "walk fast, slowly"},
     {"wheel", "walking speed"},
@@ -59,6 +59,7 @@ const std::array<HelpLine, 23> help_lines = {{
     {"F5", "read the file again"},
     {"Tab", "show or hide the panel"},
     {"?, F1", "this help"},
+    {"Ctrl+Q", "quit"},
 }};
 
 void Gestures::take(const Input& input, const PanelClaims& claims, Visit& visit,

@@ -57,6 +57,6 @@ struct HelpLine {
     const char* gesture;
     const char* effect;
 };
-extern const std::array<HelpLine, 23> help_lines;
+extern const std::array<HelpLine, 24> help_lines;
 
 }  // namespace lightwell
