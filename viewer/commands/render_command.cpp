@@ -51,8 +51,11 @@ class LitSurfaces {
             return;
         }
         lit_ = std::make_unique<LitScene>(opened, lights_);
-        constexpr int strata = 16, points = 2;  // 1,024 rays a cell
         const RadianceSpace& space = opened.transport.space;
+        // 1,024 rays a cell; more where polished surfaces show small bright images of lamps, which
+        // fewer rays met by chance: walls were blotchy.
+        const int strata = has_angles(space) ? 32 : 16;
+        constexpr int points = 2;
         const bool gathers = request.indirect == IndirectLight::gathered;
         std::optional<FinalGather> gather;
         if (gathers) gather.emplace(lit_->gather(strata));
