@@ -61,11 +61,13 @@ struct Factor {
     double size;  ///< |value|, by how much it matters what arrives in its row
 };
 
-/// The columns of a matrix, each with its largest coefficients first.
+/// The columns of a matrix, each with its largest coefficients first: those in rows of means, then
+/// the others.
 class LargestFirst {
   public:
     LargestFirst(const Sparse& matrix, const TruncationRule& rule)
-        : start_(static_cast<std::size_t>(matrix.cols()) + 1, 0) {
+        : start_(static_cast<std::size_t>(matrix.cols()) + 1, 0),
+          end_of_means_(static_cast<std::size_t>(matrix.cols()), 0) {
         factors_.reserve(static_cast<std::size_t>(matrix.nonZeros()));
         for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
             for (Sparse::InnerIterator it(matrix, j); it; ++it) {
@@ -76,25 +78,37 @@ class LargestFirst {
             start_[static_cast<std::size_t>(j) + 1] = factors_.size();
         }
         tbb::parallel_for(
-            std::size_t{0}, static_cast<std::size_t>(matrix.cols()), [this](std::size_t j) {
+            std::size_t{0}, static_cast<std::size_t>(matrix.cols()), [this, &rule](std::size_t j) {
                 const auto at = [&](std::size_t k) {
                     return factors_.begin() + static_cast<std::ptrdiff_t>(k);
                 };
-                std::sort(at(start_[j]), at(start_[j + 1]), [](const Factor& a, const Factor& b) {
+                const auto others =
+                    std::partition(at(start_[j]), at(start_[j + 1]), [&rule](const Factor& factor) {
+                        return rule.is_mean[static_cast<std::size_t>(factor.row)];
+                    });
+                const auto larger = [](const Factor& a, const Factor& b) {
                     return a.size != b.size ? a.size > b.size : a.row < b.row;
-                });
+                };
+                std::sort(at(start_[j]), others, larger);
+                std::sort(others, at(start_[j + 1]), larger);
+                end_of_means_[j] = static_cast<std::size_t>(others - factors_.begin());
             });
     }
 
-    /// Adds `by` times those coefficients of a column that are of a size of at least `least`.
-    void add(Eigen::Index column, double by, double least, Accumulator& sum) const {
+    /// Adds `by` times those coefficients of a column that are of a size of at least `least`, or
+    /// `least_of_means` in rows of means.
+    void add(Eigen::Index column, double by, double least, double least_of_means,
+             Accumulator& sum) const {
         const auto c = static_cast<std::size_t>(column);
-        for (std::size_t k = start_[c]; k < start_[c + 1] && factors_[k].size >= least; ++k)
+        const std::size_t others = end_of_means_[c];
+        for (std::size_t k = start_[c]; k < others && factors_[k].size >= least_of_means; ++k)
+            sum.add(factors_[k].row, by * factors_[k].value);
+        for (std::size_t k = others; k < start_[c + 1] && factors_[k].size >= least; ++k)
             sum.add(factors_[k].row, by * factors_[k].value);
     }
 
   private:
-    std::vector<std::size_t> start_;
+    std::vector<std::size_t> start_, end_of_means_;
     std::vector<Factor> factors_;
 };
 
@@ -135,8 +149,9 @@ Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule&
     const auto add_column = [&](Eigen::Index k, double by, Eigen::Index j, Accumulator& sum) {
         if (negligible > 0) {
             const double counts = std::abs(by) * rule.weight[j];
-            const bool all = rule.is_mean[static_cast<std::size_t>(j)] || !(counts > 0);
-            sorted.add(k, by, all ? 0 : negligible / counts, sum);
+            const double least = counts > 0 ? negligible / counts : 0;
+            const bool into_mean = rule.is_mean[static_cast<std::size_t>(j)];
+            sorted.add(k, by, least, into_mean ? 0 : least, sum);
         } else {
             for (Sparse::InnerIterator ia(a, k); ia; ++ia)
                 sum.add(static_cast<int>(ia.row()), ia.value() * by);

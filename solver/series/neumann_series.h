@@ -21,7 +21,7 @@ struct TruncationRule {
     /// By row: how much it matters what arrives there, in [0,1]; empty if all rows matter alike.
     Eigen::ArrayXd visibility = {};
     /// Terms of a product that count for less than this share of the threshold are left out before
-    /// they are added up, but for those in columns of means; >= 0, 0 leaves out none. Most terms of
+    /// they are added up, but for those between means; >= 0, 0 leaves out none. Most terms of
     /// products of directed operators are far below the threshold.
     double negligible = 0;
 };

@@ -85,7 +85,7 @@ TEST(TruncatedProduct, IsEigensProductTruncated) {
     }
 }
 
-// Term by term: those that are negligible are not there, in columns of means all are.
+// Term by term: those that are negligible are not there, between means all are.
 TEST(TruncatedProduct, LeavesOutTermsThatTheRuleCallsNegligible) {
     constexpr Eigen::Index n = 60;
     Numbers numbers(36);
@@ -100,8 +100,9 @@ TEST(TruncatedProduct, LeavesOutTermsThatTheRuleCallsNegligible) {
         for (Eigen::Index i = 0; i < n; ++i)
             for (Eigen::Index k = 0; k < n; ++k) {
                 const double counts = weighted(rule, i, j, a(i, k) * b(k, j));
-                if (rule.is_mean[static_cast<std::size_t>(j)] || counts >= 0.4 * 0.5)
-                    expected(i, j) += a(i, k) * b(k, j);
+                const bool means = rule.is_mean[static_cast<std::size_t>(i)] &&
+                                   rule.is_mean[static_cast<std::size_t>(j)];
+                if (means || counts >= 0.4 * 0.5) expected(i, j) += a(i, k) * b(k, j);
             }
     const Sparse full = expected.sparseView(0, 0);
     const Sparse result = truncated_product(a.sparseView(), b.sparseView(), rule);
