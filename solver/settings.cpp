@@ -21,8 +21,8 @@ double error_guessed_for(const Provenance& provenance) {
 
 Settings settings_for(const PrecomputeOptions& options, double distance, std::size_t elements) {
     Settings settings;
-    // As wide as they can be in rooms, furnished or not, before their own error shows beside that of
-    // links and truncation; 1.8 times as wide, an office is half again as far off.
+    // As wide as they can be in rooms, furnished or not, before their own error shows beside that
+    // of links and truncation; 1.8 times as wide, an office is half again as far off.
     settings.cell_size =
         options.cell_size.value_or(0.126 * distance * std::pow(options.error / 0.05, 0.56));
     const double crowding =
