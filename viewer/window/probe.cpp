@@ -32,11 +32,19 @@ class Bounces {
         // A side that takes no part sees no other surface.
         if (element_ < 0) return bounces;
         const double all = total_flux(transport_.space, light).sum();
+        RadianceField together = RadianceField::Zero(light.rows(), light.cols());
         while (bounces.size() < most && !stop_requested()) {
             light = propagated(transport_.bounce, reflected(transport_, light));
+            together += light;
             bounces.push_back(here(light));
             if (!(total_flux(transport_.space, light).sum() > negligible * all)) break;
         }
+        // Reconstruction is kept between neighbouring means, so bounces one by one do not add up to
+        // what is shown of all of them together.
+        const double added = sum(bounces);
+        const double shown = added > 0 ? here(together) / added : 0;
+        for (double& bounce : bounces)
+            bounce *= shown;
         return bounces;
     }
 
