@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -206,17 +208,26 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
     return series;
 }
 
+/// The area [m2] from which on there are at most `count` elements.
+double area_of_largest(const RadianceSpace& space, std::size_t count) {
+    std::vector<double> areas;
+    for (const Element& element : space.elements())
+        areas.push_back(element.area());
+    if (areas.size() <= count) return 0;
+    std::sort(areas.begin(), areas.end(), std::greater<>());
+    return std::nextafter(areas[count], std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 
 void sum_directed_series(const DirectedWeights& weights, const TrialLights& tried, double target,
                          const Progress& progress, GlobalTransport& transport) {
     TruncationRule rule;
     rule.weight = weights.direct;
-    // Means keep the energy, and there are the square of the elements of them: not of the facets of
-    // a ball, which are thousands and carry next to none.
-    constexpr double smallest_share = 0.1;
-    const double smallest = smallest_share * transport.space.area() /
-                            static_cast<double>(transport.space.elements().size());
+    // Means keep the energy, and there are the square of the elements of them: of the facets of a
+    // ball, which are thousands and carry next to none, those of the largest are enough.
+    constexpr std::size_t most_means = 400;
+    const double smallest = area_of_largest(transport.space, most_means);
     rule.is_mean.assign(transport.space.functions(), false);
     for (const Element& element : transport.space.elements())
         rule.is_mean[element.first] = element.area() >= smallest;
