@@ -262,7 +262,7 @@ TEST_P(LateInterruption, StopsCleanlyAndLeavesNothingHalf) {
     setting.signal = SIGINT;
     setting.signal_at = std::string("(") + GetParam() + ")";
     const ProgramRun run = lightwell(
-        {"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error", "0.05"},
+        {"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error", "0.03"},
         setting);
     EXPECT_NE(run.err.find(setting.signal_at), std::string::npos) << run.err;
     EXPECT_EQ(run.status, 3) << run.err;

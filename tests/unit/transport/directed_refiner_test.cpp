@@ -154,7 +154,7 @@ TEST_F(HalfDirectedBox, DropsLobesThatPointElsewhere) {
 TEST_F(HalfDirectedBox, CarriesWhatRaysCarry) {
     OracleCost cost;
     DirectedLinkOptions many;
-    many.rays = 256;
+    many.rays = 512;
     const SymmetricOperator by_rays =
         propagation(directed_links(elements, given, visibility, many, {}, cost));
     const auto n = static_cast<Eigen::Index>(space.functions());
