@@ -151,7 +151,7 @@ TEST(Render, ShowsGlossAlikeByShadersAndPointByPoint) {
                      "[camera]\nposition = [0.5, -1.2, 0.7]\ntarget = [0.5, 0.5, 0]\n");
     const std::string file = folder / "g.gto";
     ASSERT_EQ(
-        lightwell({"precompute", scene, "-o", file, "--error", "0.1", "--attempts", "0"}).status,
+        lightwell({"precompute", scene, "-o", file, "--error", "0.05", "--attempts", "0"}).status,
         0);
     for (const char* view : {"total", "direct", "indirect"}) {
         std::vector<Image> images;
