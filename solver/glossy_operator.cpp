@@ -47,7 +47,7 @@ RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Set
 
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    constexpr double wider = 1.4;
+    constexpr double wider = 2;
     if (!options.cell_size) settings.cell_size *= wider;
     if (!options.truncation) settings.truncation *= glossy_looseness;
     return settings;

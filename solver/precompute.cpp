@@ -80,7 +80,7 @@ double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const S
 }
 
 constexpr Pipeline diffuse_pipeline = {
-    diffuse_operator, diffuse_settings, tighten, diffuse_functions, memory_for, 1, 1, 4000};
+    diffuse_operator, diffuse_settings, tighten, diffuse_functions, memory_for, 1, 1, 8000};
 constexpr Pipeline glossy_pipeline = {glossy_operator,
                                       glossy_settings,
                                       tighten_glossy,
