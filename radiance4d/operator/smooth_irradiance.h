@@ -8,7 +8,7 @@
 namespace lightwell {
 
 /// Smooth irradiance [lx] over every element, by element number. Buried parts, which nobody sees,
-/// carry on what is around them.
+/// carry on for two cells what is around them; further in it is dark.
 std::vector<SmoothSurface> smooth_irradiance(const RadianceSpace& space,
                                              const RadianceField& field);
 /// The same over one element.
