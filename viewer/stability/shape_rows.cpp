@@ -68,7 +68,7 @@ std::vector<Finding> corner_singularity() {
     const Scene cube = room({4, 4, 4}, 0.5);
     const std::vector<Light> in_cube = {lamp({2, 2, 2}, 10000 / (4 * M_PI))};
     const std::vector<SurfacePoint> floor = grid_on(cube, 4, cube_at);
-    const LitScene coarse(cube, 0.1), fine(cube, 0.02);
+    const LitScene coarse(cube, 0.1), fine(cube, 0.03);
     const CubeErrors shown_coarse = cube_errors(coarse.shown(coarse.light(in_cube), floor));
     const CubeErrors shown_fine = cube_errors(fine.shown(fine.light(in_cube), floor));
     const CubeErrors gathered = cube_errors(fine.gathered(fine.light(in_cube), floor));
@@ -86,7 +86,7 @@ std::vector<Finding> corner_singularity() {
         {"cube, 8 cm from edges, measured", gathered.edge, 0.02},
         {"office, a fiftieth from corners, measured", worst_ratio(found, wanted), 0.02},
         {"cube, near edges over the median, shown", shown_fine.edge / shown_fine.median, 3},
-        {"cube, near edges, --error 0.02 over 0.1, shown", shown_fine.edge / shown_coarse.edge, 1}};
+        {"cube, near edges, --error 0.03 over 0.1, shown", shown_fine.edge / shown_coarse.edge, 1}};
 }
 
 // What the eye sees of blocks: how far the step between neighbours is off.
