@@ -5,6 +5,7 @@
 #include "radiance4d/scene/quad.h"
 #include "runtime/drawing/gl_functions.h"
 #include "runtime/drawing/gl_objects.h"
+#include "runtime/drawing/plane_quads.h"
 
 namespace lightwell {
 
@@ -38,8 +39,9 @@ class IndexDrawing {
 
   private:
     const GlFunctions& gl_;
-    int count_;  ///< quads
-    GlObject program_, vertex_array_, vertices_, elements_;
+    std::size_t count_;  ///< quads
+    GlObject program_;
+    PlaneQuads quads_;
 };
 
 }  // namespace lightwell

@@ -10,41 +10,35 @@
 #include <fmt/format.h>
 
 #include "radiance4d/failure.h"
+#include "runtime/drawing/plane_quads.h"
 
 namespace lightwell {
 
 namespace {
 
-// `corner` is in camera coordinates (right, top, forward). For the plane n.x = d the attribute
-// `plane` is n / d, so that along the ray (X, Y, 1) the inverse depth is plane . (X, Y, 1).
-constexpr const char* vertex_shader = R"(#version 330 core
+// `corner` and `plane` are in camera coordinates (right, top, forward).
+constexpr const char* vertex_shader = R"(
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 plane;
 layout(location = 2) in int quad;
 flat out vec3 seen_plane;
 flat out int seen_quad;
 uniform vec4 window;  // scale and shift of x, then of y
-uniform float nearest;
 void main() {
     seen_plane = plane;
     seen_quad = quad;
-    // Of the depth only the clipping at `nearest` is used: -w <= z keeps w >= nearest.
-    gl_Position = vec4(corner.xy * window.xz + corner.z * window.yw, corner.z - 2.0 * nearest,
-                       corner.z);
+    gl_Position = drawn_at(corner.xy * window.xz + corner.z * window.yw, corner.z);
 }
 )";
 
-// Depth is nearest / distance along the axis, taken from the plane itself and not interpolated: in
-// floating point it keeps the same relative precision from the eye to the horizon.
-constexpr const char* fragment_shader = R"(#version 330 core
+constexpr const char* fragment_shader = R"(
 flat in vec3 seen_plane;
 flat in int seen_quad;
 uniform vec3 pixel;  // shift of x, shift of y, size
-uniform float nearest;
 layout(location = 0) out int index;
 void main() {
     vec2 at = (gl_FragCoord.xy + pixel.xy) * pixel.z;
-    gl_FragDepth = nearest * dot(seen_plane, vec3(at.x, -at.y, 1.0));
+    gl_FragDepth = depth_of(seen_plane, vec2(at.x, -at.y));
     index = seen_quad;
 }
 )";
@@ -134,7 +128,8 @@ const void* offset(std::size_t bytes) {
 SurfaceDrawing::SurfaceDrawing(std::vector<Quad> quads, const GlLoader& loader)
     : quads_(std::move(quads)),
       gl_(loader),
-      program_(make_program(gl_, vertex_shader, fragment_shader)),
+      program_(make_program(gl_, plane_shader(vertex_shader).c_str(),
+                            plane_shader(fragment_shader).c_str())),
       vertex_array_(make_vertex_array(gl_)),
       vertices_(make_buffer(gl_)),
       elements_(make_buffer(gl_)) {

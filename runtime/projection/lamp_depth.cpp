@@ -1,8 +1,6 @@
 #include "runtime/projection/lamp_depth.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -14,9 +12,7 @@ namespace lightwell {
 
 namespace {
 
-// For the plane n.x = d the inverse depth along the ray (X, Y, 1) is n / d . (X, Y, 1), with n seen
-// as planes are: the same bits for a quad and for any part of it.
-constexpr const char* vertex_shader = R"(#version 330 core
+constexpr const char* vertex_shader = R"(
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 base;
@@ -24,21 +20,19 @@ flat out vec3 seen_plane;
 uniform vec3 lamp;
 uniform mat3 view;
 uniform mat3 view_of_planes;
-uniform float nearest;
 void main() {
     vec3 seen = view * (corner - lamp);
     seen_plane = view_of_planes * normal / dot(normal, base - lamp);
-    gl_Position = vec4(seen.xy, seen.z - 2.0 * nearest, seen.z);
+    gl_Position = drawn_at(seen.xy, seen.z);
 }
 )";
 
-constexpr const char* fragment_shader = R"(#version 330 core
+constexpr const char* fragment_shader = R"(
 flat in vec3 seen_plane;
 uniform vec4 pixel;  // shift of x, shift of y, size, and how much nearer than it is
-uniform float nearest;
 void main() {
     vec2 at = (gl_FragCoord.xy + pixel.xy) * pixel.z;
-    gl_FragDepth = nearest * pixel.w * dot(seen_plane, vec3(at, 1.0));
+    gl_FragDepth = pixel.w * depth_of(seen_plane, at);
 }
 )";
 
@@ -51,16 +45,33 @@ constexpr float nearer = 1 + 4e-6F;
 /// work has piled up than a query began with room for. 32 were seen to be few enough.
 constexpr std::size_t most_together = 16;
 
-struct Vertex {
-    std::array<float, 3> corner, normal, base;
-};
-
-const void* offset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
+/// The quads that hide and the parts that are counted, about an origin of their own.
+std::vector<Quad> centred(const std::vector<Quad>& quads, const std::vector<Quad>& parts,
+                          const Vec3& centre) {
+    std::vector<Quad> all = quads;
+    all.insert(all.end(), parts.begin(), parts.end());
+    for (Quad& quad : all)
+        for (Vec3& corner : quad.vertex)
+            corner -= centre;
+    return all;
 }
 
-std::array<float, 3> as_floats(const Vec3& v) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+/// The quads whose planes those lie in.
+std::vector<Quad> planes_of(const std::vector<Quad>& quads, const std::vector<int>& quad_of,
+                            const Vec3& centre) {
+    std::vector<Quad> planes = centred(quads, {}, centre);
+    for (const int quad : quad_of)
+        planes.push_back(planes[static_cast<std::size_t>(quad)]);
+    return planes;
+}
+
+Eigen::AlignedBox3d box_of(const std::vector<Quad>& quads) {
+    Eigen::AlignedBox3d box(Vec3(Vec3::Zero()));
+    if (!quads.empty()) box = Eigen::AlignedBox3d(quads[0].vertex[0]);
+    for (const Quad& quad : quads)
+        for (const Vec3& corner : quad.vertex)
+            box.extend(corner);
+    return box;
 }
 
 }  // namespace
@@ -69,55 +80,15 @@ LampDepth::LampDepth(const std::vector<Quad>& quads, const std::vector<Quad>& pa
                      const std::vector<int>& quad_of, int side, const GlLoader& loader)
     : gl_(loader),
       side_(side),
-      occluder_count_(static_cast<unsigned>(quads.size())),
+      centre_(box_of(quads).center()),
+      extent_(quads.empty() ? 1 : box_of(quads).diagonal().norm()),
+      occluder_count_(quads.size()),
       parts_(parts),
-      program_(make_program(gl_, vertex_shader, fragment_shader)),
-      vertex_array_(make_vertex_array(gl_)),
-      vertices_(make_buffer(gl_)),
-      elements_(make_buffer(gl_)),
+      program_(make_program(gl_, plane_shader(vertex_shader).c_str(),
+                            plane_shader(fragment_shader).c_str())),
+      drawn_(gl_, centred(quads, parts, centre_), planes_of(quads, quad_of, centre_)),
       framebuffer_(make_framebuffer(gl_)),
       depth_(make_renderbuffer(gl_, GL_DEPTH_COMPONENT32F, 3 * side, 2 * side)) {
-    LIGHTWELL_CHECK_OP(parts.size(), ==, quad_of.size());
-    Eigen::AlignedBox3d box;
-    for (const Quad& quad : quads)
-        for (const Vec3& corner : quad.vertex)
-            box.extend(corner);
-    centre_ = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
-    extent_ = box.isEmpty() ? 1 : box.diagonal().norm();
-
-    std::vector<Vertex> vertices;
-    std::vector<unsigned> elements;
-    const auto add = [&](const Quad& quad, const Quad& whole) {
-        const auto first = static_cast<unsigned>(vertices.size());
-        for (const Vec3& corner : quad.vertex)
-            vertices.push_back({as_floats(corner - centre_), as_floats(whole.normal()),
-                                as_floats(whole.vertex[0] - centre_)});
-        for (const unsigned corner : {0U, 1U, 2U, 0U, 2U, 3U})
-            elements.push_back(first + corner);
-    };
-    for (const Quad& quad : quads)
-        add(quad, quad);
-    for (std::size_t p = 0; p < parts.size(); ++p)
-        add(parts[p], quads[static_cast<std::size_t>(quad_of[p])]);
-
-    gl_.bind_vertex_array(vertex_array_.name());
-    gl_.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, elements_.name());
-    gl_.buffer_data(GL_ELEMENT_ARRAY_BUFFER,
-                    static_cast<std::ptrdiff_t>(elements.size() * sizeof(unsigned)),
-                    elements.data(), GL_STATIC_DRAW);
-    gl_.bind_buffer(GL_ARRAY_BUFFER, vertices_.name());
-    gl_.buffer_data(GL_ARRAY_BUFFER, static_cast<std::ptrdiff_t>(vertices.size() * sizeof(Vertex)),
-                    vertices.data(), GL_STATIC_DRAW);
-    const std::size_t offsets[] = {offsetof(Vertex, corner), offsetof(Vertex, normal),
-                                   offsetof(Vertex, base)};
-    for (const unsigned attribute : {0U, 1U, 2U}) {
-        gl_.enable_vertex_attrib_array(attribute);
-        gl_.vertex_attrib_pointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                                  offset(offsets[attribute]));
-    }
-    gl_.bind_vertex_array(0);
-    gl_.bind_buffer(GL_ARRAY_BUFFER, 0);
-
     gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                  depth_.name());
@@ -143,7 +114,7 @@ void LampDepth::begin(bool counts_hidden, bool is_depth_kept) {
     gl_.depth_mask(is_depth_kept ? GL_TRUE : GL_FALSE);
     gl_.polygon_mode(GL_FRONT_AND_BACK, GL_FILL);
     gl_.use_program(program_.name());
-    gl_.bind_vertex_array(vertex_array_.name());
+    drawn_.bind(gl_);
     const auto at = lamp_.cast<float>();
     gl_.uniform3f(gl_.get_uniform_location(program_.name(), "lamp"), at[0], at[1], at[2]);
     gl_.uniform1f(gl_.get_uniform_location(program_.name(), "nearest"),
@@ -183,8 +154,7 @@ void LampDepth::look_from(const Vec3& lamp, const std::vector<LampView>& views) 
     gl_.clear_bufferfv(GL_DEPTH, 0, &infinitely_far);
     for (std::size_t view = 0; view < views_.size(); ++view) {
         select_view(view, 1);
-        gl_.draw_elements(GL_TRIANGLES, static_cast<int>(6 * occluder_count_), GL_UNSIGNED_INT,
-                          nullptr);
+        PlaneQuads::draw(gl_, 0, occluder_count_);
     }
     end();
     check_gl(gl_, "drawing what a lamp sees");
@@ -200,8 +170,7 @@ bool LampDepth::reaches(std::uint32_t part, std::size_t view) const {
 void LampDepth::issue(const std::vector<Query>& queries, std::size_t first_name) {
     for (std::size_t k = 0; k < queries.size(); ++k) {
         gl_.begin_query(GL_SAMPLES_PASSED, names_[first_name + k]);
-        gl_.draw_elements(GL_TRIANGLES, 6, GL_UNSIGNED_INT,
-                          offset(std::size_t{queries[k].first} * sizeof(unsigned)));
+        PlaneQuads::draw(gl_, queries[k].quad, 1);
         gl_.end_query(GL_SAMPLES_PASSED);
         if (k % most_together == most_together - 1) gl_.flush();
     }
@@ -215,7 +184,7 @@ std::size_t LampDepth::count(std::vector<CountedPart>& parts) {
             const bool is_counted =
                 parts[k].view == CountedPart::all_views || parts[k].view == static_cast<int>(view);
             if (is_counted && reaches(parts[k].part, view))
-                queries_[view].push_back({k, 6 * (occluder_count_ + parts[k].part)});
+                queries_[view].push_back({k, occluder_count_ + parts[k].part});
         }
         needed += 2 * queries_[view].size();
     }

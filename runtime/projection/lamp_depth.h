@@ -7,6 +7,7 @@
 #include "radiance4d/scene/quad.h"
 #include "runtime/drawing/gl_functions.h"
 #include "runtime/drawing/gl_objects.h"
+#include "runtime/drawing/plane_quads.h"
 #include "runtime/projection/lamp_view.h"
 
 namespace lightwell {
@@ -53,7 +54,7 @@ class LampDepth {
   private:
     struct Query {
         std::size_t counted;  ///< index into the parts being counted
-        unsigned first;       ///< index of the element to draw
+        std::size_t quad;     ///< of those drawn
     };
 
     void begin(bool counts_hidden, bool is_depth_kept);
@@ -67,9 +68,11 @@ class LampDepth {
     int side_;
     Vec3 centre_;    ///< the origin of what is drawn
     double extent_;  ///< of the scene [m]
-    unsigned occluder_count_;
+    std::size_t occluder_count_;
     std::vector<Quad> parts_;
-    GlObject program_, vertex_array_, vertices_, elements_, framebuffer_, depth_;
+    GlObject program_;
+    PlaneQuads drawn_;  ///< what hides, then the parts
+    GlObject framebuffer_, depth_;
     std::vector<unsigned> names_;                         ///< of query objects
     std::array<std::vector<Query>, most_views> queries_;  ///< scratch, by view
     std::vector<LampView> views_;
