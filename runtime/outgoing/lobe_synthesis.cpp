@@ -15,8 +15,12 @@ namespace lightwell {
 
 namespace {
 
-/// The nearest open cell of every cell, itself where it is open; what is buried is seen by nobody,
-/// but filtering reads it.
+/// Buried cells that carry on the light beside them, as many as filtering reads; further in it is
+/// dark.
+constexpr int rings = 2;
+
+/// The nearest open cell of every cell, itself where it is open or none is near; what is buried is
+/// seen by nobody, but filtering reads it.
 std::vector<std::uint32_t> nearest_open(const std::vector<std::pair<int, int>>& texel,
                                         const std::vector<char>& is_open) {
     std::vector<std::uint32_t> nearest(texel.size());
@@ -27,6 +31,7 @@ std::vector<std::uint32_t> nearest_open(const std::vector<std::pair<int, int>>& 
         for (std::uint32_t n = 0; n < texel.size(); ++n) {
             if (is_open[n] == 0) continue;
             const int x = texel[n].first - texel[m].first, y = texel[n].second - texel[m].second;
+            if (std::max(std::abs(x), std::abs(y)) > rings) continue;
             if (least >= 0 && x * x + y * y >= least) continue;
             least = x * x + y * y;
             nearest[m] = n;
@@ -83,7 +88,17 @@ LobeSynthesis::LobedElement LobeSynthesis::lobed(const Scene& scene, const Radia
     return result;
 }
 
-LobeSynthesis::LobeSynthesis(const GlobalTransport& transport) : atlas_(sizes(transport.space)) {
+LobeSynthesis::LobeSynthesis(const GlobalTransport& transport)
+    : atlas_(sizes(transport.space)),
+      borders_(transport.space, atlas_,
+               [&](std::size_t a, std::size_t b) {
+                   const Element &one = transport.space.element(a),
+                                 &other = transport.space.element(b);
+                   return one.angle.levels() > 0 && other.angle.levels() > 0 &&
+                          transport.scene.material_number(one.quad) ==
+                              transport.scene.material_number(other.quad);
+               }),
+      changed_(transport.space.elements().size()) {
     const RadianceSpace& space = transport.space;
     std::map<std::pair<std::size_t, int>, std::size_t> known;  // material and level -> table
     for (std::size_t e = 0; e < space.elements().size(); ++e) {
@@ -127,13 +142,22 @@ std::size_t LobeSynthesis::synthesise(const Vec3& eye) {
     const bool has_moved = !eye_ || *eye_ != eye;
     eye_ = eye;
     std::size_t count = 0;
+    std::fill(changed_.begin(), changed_.end(), char{0});
     for (LobedElement& lobed : lobed_) {
         if (!(lobed.has_changed || (has_moved && !lobed.is_dark))) continue;
         // It stays in need of work, for an eye that it faces.
         if (!(lobed.normal.dot(eye - lobed.corner) > 0)) continue;
         fill_texture(lobed, eye);
         lobed.has_changed = false;
+        changed_[lobed.element] = 1;
         ++count;
+    }
+    for (const LobedElement& lobed : lobed_) {
+        const std::vector<std::size_t>& neighbours = borders_.neighbours(lobed.element);
+        if (changed_[lobed.element] != 0 ||
+            std::any_of(neighbours.begin(), neighbours.end(),
+                        [&](std::size_t n) { return changed_[n] != 0; }))
+            borders_.fill(lobed.element, atlas_);
     }
     return count;
 }
@@ -161,15 +185,6 @@ void LobeSynthesis::fill_texture(const LobedElement& lobed, const Vec3& eye) {
             const auto [column, row] = lobed.texel[lobed.stand_in[m]];
             texel(lobed.texel[m].first, lobed.texel[m].second) = texel(column, row);
         }
-    const TextureSize size = atlas_.place(lobed.element).size;
-    for (int column = 0; column < size.columns; ++column) {
-        texel(column, -1) = texel(column, 0);
-        texel(column, size.rows) = texel(column, size.rows - 1);
-    }
-    for (int row = -1; row <= size.rows; ++row) {
-        texel(-1, row) = texel(0, row);
-        texel(size.columns, row) = texel(size.columns - 1, row);
-    }
 }
 
 }  // namespace lightwell

@@ -7,6 +7,7 @@
 #include "radiance4d/operator/global_transport.h"
 #include "runtime/drawing/texture_atlas.h"
 #include "runtime/outgoing/lobe_table.h"
+#include "runtime/outgoing/texture_borders.h"
 #include "runtime/propagation/packed_haar.h"
 
 namespace lightwell {
@@ -15,7 +16,7 @@ namespace lightwell {
 /// spatial cell: the product of incident light with the BRDF in wavelet space (WRT section 5.3).
 /// Space is traversed first, once per light, then for every texel the angular functions that the
 /// lobe reaches from the eye (LobeTable). Elements turned away from the eye cost nothing, nor do
-/// those that no light falls on.
+/// those that no light falls on. Borders hold what coplanar neighbours of the same material send.
 ///
 /// Elements without directions have a single dark texel.
 class LobeSynthesis {
@@ -63,8 +64,10 @@ class LobeSynthesis {
     std::vector<LobeTable> tables_;
     std::vector<LobedElement> lobed_;
     TextureAtlas atlas_;
-    PackedField taken_;        ///< the light that the textures are made of
-    std::optional<Vec3> eye_;  ///< that they are made for
+    TextureBorders borders_;
+    std::vector<char> changed_;  ///< scratch: by element, in this call
+    PackedField taken_;          ///< the light that the textures are made of
+    std::optional<Vec3> eye_;    ///< that they are made for
 };
 
 }  // namespace lightwell

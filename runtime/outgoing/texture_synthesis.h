@@ -5,6 +5,7 @@
 
 #include "radiance4d/operator/global_transport.h"
 #include "runtime/drawing/texture_atlas.h"
+#include "runtime/outgoing/texture_borders.h"
 #include "runtime/propagation/packed_haar.h"
 
 namespace lightwell {
@@ -15,8 +16,8 @@ namespace lightwell {
 ///
 /// A texture is as fine as the finest coefficient that the operator can give to its element. Its
 /// border holds the light of the coplanar neighbours, where there are any, so that no edge shows
-/// between quads of one wall; elsewhere the texture is continued linearly. Cells that are buried
-/// take the light of the open cells round about.
+/// between quads of one wall; elsewhere the texture is continued linearly. Buried cells
+/// carry on for two cells the light of the open ones round about; further in it is dark.
 class TextureSynthesis {
   public:
     explicit TextureSynthesis(const GlobalTransport& transport);
@@ -32,16 +33,8 @@ class TextureSynthesis {
     int level(std::size_t element) const { return elements_[element].level; }
 
   private:
-    /// A texel of a border, and where its light comes from.
-    struct BorderTexel {
-        int column, row;
-        /// The element that it lies on, and where; itself if there is none there.
-        std::size_t neighbour;
-        double u, v;
-        /// Else the two texels that it continues: this many columns and rows on, and as many again.
-        int to_column, to_row;
-    };
-    /// A buried texel and the open ones, or those filled before it, whose mean it takes.
+    /// A buried texel and the open ones, or those filled before it, whose mean it takes; dark if
+    /// there are none.
     struct BuriedTexel {
         std::uint32_t cell;
         std::vector<std::uint32_t> from;
@@ -54,19 +47,16 @@ class TextureSynthesis {
         std::vector<float> to_lux;               ///< by cell of the level
         std::vector<std::pair<int, int>> texel;  ///< column and row, by cell of the level
         std::vector<BuriedTexel> buried;
-        std::vector<BorderTexel> border;
-        std::vector<std::size_t> neighbours;  ///< whose light its border holds
-        PackedField scaling;                  ///< scratch: by cell of the level
+        PackedField scaling;  ///< scratch: by cell of the level
     };
 
     static std::vector<TexturedElement> textured(const GlobalTransport& transport);
     static std::vector<TextureSize> sizes(const std::vector<TexturedElement>& elements);
-    void find_borders(const RadianceSpace& space);
     void fill_texture(std::size_t element, const PackedField& field);
-    void fill_border(std::size_t element);
 
     std::vector<TexturedElement> elements_;
     TextureAtlas atlas_;
+    TextureBorders borders_;
     PackedField shown_;          ///< the field that the textures hold
     std::vector<char> changed_;  ///< by element, in this call
 };

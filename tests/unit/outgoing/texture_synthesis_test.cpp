@@ -158,5 +158,21 @@ TEST(TextureSynthesis, BuriedCellsTakeTheLightAround) {
     EXPECT_NEAR(synthesis.atlas().texel(0, 1, 1)[0], 7.0F, 0.05F);
 }
 
+TEST(TextureSynthesis, DeepInAGapItIsDark) {
+    std::vector<OpenMask> open(16, 0);
+    const CellTree tree(std::vector<Split>(2, Split::both));
+    for (const std::uint32_t row : {0U, 1U, 2U, 3U})
+        open[tree.finest_at(0, row)] = all_open;
+    const GlobalTransport transport = two_floors(open);
+    TextureSynthesis synthesis(transport);
+    // Light that no one sees in the last two columns must not show either.
+    synthesis.synthesise(field_of(transport.space, [](const Vec3&) { return 7.0; }));
+    for (int row = 0; row < 4; ++row) {
+        for (const int column : {0, 1, 2})
+            EXPECT_NEAR(synthesis.atlas().texel(0, column, row)[0], 7.0F, 1e-4F) << column;
+        EXPECT_EQ(synthesis.atlas().texel(0, 3, row)[0], 0.0F);
+    }
+}
+
 }  // namespace
 }  // namespace lightwell
