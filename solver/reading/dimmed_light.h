@@ -9,7 +9,8 @@ namespace lightwell {
 /// A light as files and windows hold it.
 struct DimmedLight {
     Light light;        ///< at its full intensity
-    double dimmer = 1;  ///< factor of it, in [0,1]; 0: switched off
+    double dimmer = 1;  ///< factor of it, in [0,1]
+    bool on = true;     ///< else it is dark, whatever its dimmer
 };
 
 /// The lights as they shine.

@@ -151,6 +151,7 @@ DimmedLight light_from(const TomlTable& table, const std::string& name) {
         table.fail("type", "type must be \"point\" or \"spot\", not " + in_quotes(type));
     DimmedLight dimmed{type == "spot" ? spot_from(table, name) : point_from(table, name)};
     if (table.has("dimmer")) dimmed.dimmer = number_within(table, "dimmer", 0, 1);
+    if (table.has("on")) dimmed.on = table.flag("on");
     table.refuse_unknown_keys();
     return dimmed;
 }

@@ -75,14 +75,14 @@ std::string next_free_name(const std::string& stem, const std::string& extension
 void save_lights(const Visit& visit) {
     std::vector<DimmedLight> lights;
     for (const EditedLight& edited : visit.edits.lights())
-        lights.push_back({edited.light, edited.on ? edited.dimmer : 0});
+        lights.push_back({edited.light, edited.dimmer, edited.on});
     write_atomically(visit.lights_file, lights_and_camera_text(lights, visit.camera.camera()));
 }
 
 std::vector<EditedLight> edited_lights(const std::string& path) {
     std::vector<EditedLight> lights;
-    for (const auto& [light, dimmer] : read_dimmed_lights(path))
-        lights.push_back({light, dimmer > 0, dimmer > 0 ? dimmer : 1});
+    for (const DimmedLight& dimmed : read_dimmed_lights(path))
+        lights.push_back({dimmed.light, dimmed.on, dimmed.dimmer});
     return lights;
 }
 

@@ -24,8 +24,7 @@ void write_picture(LitScene& scene, const Visit& visit, int width, int height,
 /// "stem-0001.png", or the first number that no file has yet.
 std::string next_free_name(const std::string& stem, const std::string& extension);
 
-/// Writes the lights with their dimmers, and the view to visit.lights_file; lights that are off are
-/// dimmed to 0 there.
+/// Writes the lights, those that are off included, and the view to visit.lights_file.
 void save_lights(const Visit& visit);
 /// The lights of a file as they are edited. @throws as read_lights
 std::vector<EditedLight> edited_lights(const std::string& path);

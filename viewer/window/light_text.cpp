@@ -45,6 +45,7 @@ std::string lights_and_camera_text(const std::vector<DimmedLight>& lights, const
     for (const DimmedLight& dimmed : lights) {
         text += std::visit([](const auto& kind) { return text_of(kind); }, dimmed.light);
         if (dimmed.dimmer != 1) text += fmt::format("dimmer = {}\n", dimmed.dimmer);
+        if (!dimmed.on) text += "on = false\n";
         text += "\n";
     }
     return text + fmt::format(

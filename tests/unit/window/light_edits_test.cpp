@@ -127,8 +127,8 @@ TEST_F(SavedText, IsReadBackToTheLastBit) {
     camera.position = {1, 2, 1.0 / 7};
     camera.target = {0, 0, 1};
     camera.vertical_angle = 47.11;
-    const std::string path = written(
-        lights_and_camera_text({{lamp("a", 0.1)}, {spot, 0.25}, {lamp("c", 7), 0}}, camera));
+    const std::string path = written(lights_and_camera_text(
+        {{lamp("a", 0.1)}, {spot, 0.25}, {lamp("c", 7), 0.5, false}}, camera));
 
     const std::vector<Light> lights = read_lights(path);
     ASSERT_EQ(lights.size(), 3u);
@@ -139,7 +139,10 @@ TEST_F(SavedText, IsReadBackToTheLastBit) {
     const std::vector<DimmedLight> dimmed = read_dimmed_lights(path);
     EXPECT_EQ(dimmed[0].dimmer, 1);
     EXPECT_EQ(dimmed[1].dimmer, 0.25);
-    EXPECT_EQ(dimmed[2].dimmer, 0);
+    EXPECT_TRUE(dimmed[1].on);
+    // Off, and as dim as it was when it comes on again.
+    EXPECT_FALSE(dimmed[2].on);
+    EXPECT_EQ(dimmed[2].dimmer, 0.5);
     EXPECT_EQ(full_intensity_of(dimmed[2].light)[0], 7);
     const auto& read = std::get<SpotLight>(dimmed[1].light);
     EXPECT_EQ(read.name, spot.name);
