@@ -1,7 +1,6 @@
 #include "solver/reading/scene_reader.h"
 
 #include <filesystem>
-#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -28,30 +27,27 @@ struct GeometryChoice {
 };
 
 double unit_from(const TomlTable& file) {
-    static const std::map<std::string, double> metres = {
-        {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}};
     if (!file.is_text("unit")) {
         const double unit = file.number("unit");
-        if (!(unit >= 1e-9 && unit <= 1e9))
+        if (!is_unit(unit))
             file.fail("unit", fmt::format("unit {} is not within 1e-9 and 1e9 metres", unit));
         return unit;
     }
     const std::string name = file.text("unit");
-    const auto found = metres.find(name);
-    if (found == metres.end())
+    const std::optional<double> metres = metres_in(name);
+    if (!metres)
         file.fail("unit",
                   "unit must be \"m\", \"cm\", \"mm\", \"in\", \"ft\" or a number of "
                   "metres, not " +
                       in_quotes(name));
-    return found->second;
+    return *metres;
 }
 
 Vec3 up_from(const TomlTable& file) {
-    const std::string axis = file.text("up");
-    if (axis == "x") return Vec3::UnitX();
-    if (axis == "y") return Vec3::UnitY();
-    if (axis == "z") return Vec3::UnitZ();
-    file.fail("up", "up must be \"x\", \"y\" or \"z\", not " + in_quotes(axis));
+    const std::string name = file.text("up");
+    const std::optional<Vec3> axis = axis_called(name);
+    if (!axis) file.fail("up", "up must be \"x\", \"y\" or \"z\", not " + in_quotes(name));
+    return *axis;
 }
 
 std::string default_material_from(const TomlTable& file,
@@ -140,17 +136,24 @@ Extras read_extras(const TomlTable& file, const Vec3& up) {
 
 }  // namespace
 
-ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one) {
+ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one, const BareGeometry& bare) {
     ReadScene read;
     read.scene.name = std::filesystem::path(path).stem().string();
     GeometryChoice geometry;
     geometry.file = path;
-    if (std::filesystem::path(path).extension() == ".toml")
+    if (std::filesystem::path(path).extension() == ".toml") {
+        if (bare.says_anything())
+            throw InputError(Place{path},
+                             "is a scene file, which says itself what unit its geometry has and "
+                             "which way is up; only bare geometry needs to be told");
         geometry = read_scene_file(path, read.scene);
-    else if (!is_mesh_file(path))
+    } else if (!is_mesh_file(path)) {
         throw InputError(Place{path},
                          "a scene is a scene file (.toml) or a geometry file (.obj, "
                          ".ply); convert other formats to one of these");
+    }
+    if (bare.metres_per_unit) geometry.metres_per_unit = *bare.metres_per_unit;
+    if (bare.up) read.scene.up = *bare.up;
     read_geometry(geometry, above_one, read);
     return read;
 }

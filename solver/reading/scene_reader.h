@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiance4d/scene/scene.h"
+#include "solver/reading/bare_geometry.h"
 #include "solver/reading/dimmed_light.h"
 #include "solver/reading/material_choice.h"
 #include "solver/reading/reading_report.h"
@@ -16,7 +17,7 @@ struct ReadScene {
     ReadingReport report;
 };
 
-/// Reads a scene: a scene file (.toml) or bare geometry (.obj, .ply), whose unit is the metre.
+/// Reads a scene: a scene file (.toml) or bare geometry (.obj, .ply).
 ///
 /// A scene file is TOML:
 ///
@@ -24,8 +25,8 @@ struct ReadScene {
 ///     geometry = "office.obj"        # .obj or .ply, relative to this file
 ///     unit = "m"                     # "m", "cm", "mm", "in", "ft", or its length in metres; "m"
 ///     up = "z"                       # "x", "y" or "z"; the coordinates stay as they are
-///     cut_along_walls = true         # whether quads are cut where walls stand on them; default
-///     true default_material = "plaster"   # for faces without a material or with an unknown one
+///     cut_along_walls = true         # whether quads are cut where walls stand on them; true
+///     default_material = "plaster"   # for faces without a material or with an unknown one
 ///
 ///     [material.plaster]             # by the name that the geometry uses
 ///     reflectance = 0.7              # in [0,1], one number or [r, g, b]; default 0.5
@@ -44,7 +45,8 @@ struct ReadScene {
 ///     direction = [0, 0, -1]         # spot only
 ///     inner_angle = 20               # spot only: half-angle of full intensity [degrees]
 ///     outer_angle = 30               # spot only: half-angle where the light ends [degrees]
-///     dimmer = 1                     # factor of the intensity, in [0,1]; 0: off; default 1
+///     dimmer = 1                     # factor of the intensity, in [0,1]; default 1
+///     on = true                      # false: switched off, at that dimmer; default true
 ///
 ///     [camera]
 ///     position = [5, 4, 1.6]         # [m]
@@ -65,10 +67,12 @@ struct ReadScene {
 /// quotes: [material."wall.001"]. Lengths in the file itself are metres, whatever `unit` says of
 /// the geometry. A material's table goes before the MTL file of an OBJ, which counts for what the
 /// table leaves open.
+/// @param bare  what to take bare geometry for; must say nothing for a scene file
 /// @throws InputError with file, line and column for whatever is wrong with any of the files,
 /// unknown keys and wrong types included, for a scene in which no surface is left, and, unless
 /// `above_one` says otherwise, for a material that reflects more light than it receives
-ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one = AlbedoAboveOne::refuse);
+ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one = AlbedoAboveOne::refuse,
+                     const BareGeometry& bare = {});
 
 /// The [[light]] tables of a lights file, before they are dimmed.
 /// @throws InputError as read_scene

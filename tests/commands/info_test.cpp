@@ -23,6 +23,23 @@ TEST(Info, OfASceneIsJson) {
     EXPECT_TRUE(info["warnings"].is_array());
 }
 
+TEST(Info, SaysWhatItAssumesOfBareGeometry) {
+    const ScratchFolder folder;
+    const std::string file =
+        folder.write("one.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    ProgramRun run = lightwell({"info", file});
+    EXPECT_NE(run.err.find("assumed that lengths are in metres and z points up"), std::string::npos)
+        << run.err;
+    run = lightwell({"info", file, "--unit", "cm", "--up", "y"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(lightwell({"info", file, "--unit", "0.3048"}).status, 0);
+    for (const char* unit : {"yard", "0", "-1", "1e10", "nan"})
+        EXPECT_EQ(lightwell({"info", file, "--unit", unit}).status, 1) << unit;
+    EXPECT_EQ(lightwell({"info", file, "--up", "w"}).status, 1);
+    EXPECT_EQ(lightwell({"info", sample_scene("maze"), "--unit", "cm"}).status, 1);
+}
+
 TEST(Info, CountsWhatIsWrongWithAScene) {
     const ScratchFolder folder;
     const std::string file =

@@ -99,6 +99,28 @@ std::uint64_t memory_argument(const std::string& option, const std::string& text
     return static_cast<std::uint64_t>(bytes);
 }
 
+double unit_argument(const std::string& option, const std::string& text) {
+    if (const std::optional<double> metres = metres_in(text)) return *metres;
+    const bool is_number = text.find_first_of("0123456789") != std::string::npos;
+    const double metres = is_number ? number_argument(option, text) : 0;
+    if (!is_unit(metres))
+        refuse(option, text, "m, cm, mm, in, ft or a number of metres within 1e-9 and 1e9");
+    return metres;
+}
+
+Vec3 axis_argument(const std::string& option, const std::string& text) {
+    const std::optional<Vec3> axis = axis_called(text);
+    if (!axis) refuse(option, text, "x, y or z");
+    return *axis;
+}
+
+std::string assumption_text(const std::string& path, const BareGeometry& bare) {
+    const std::string assumed = assumed_of(path, bare);
+    return assumed.empty()
+               ? ""
+               : fmt::format("{}: assumed that {}; --unit and --up say otherwise", path, assumed);
+}
+
 PixelSize size_argument(const std::string& option, const std::string& text) {
     constexpr int longest = 16384;
     const std::size_t cross = text.find_first_of("xX");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/precompute.h"
+#include "solver/reading/bare_geometry.h"
 
 namespace lightwell {
 
@@ -27,6 +28,13 @@ OracleKind oracle_argument(const std::string& option, const std::string& text);
 /// A size in bytes, with the suffix K, M, G or T (powers of 1024, either case, "B" and "iB" may
 /// follow): "8G", "512M", "1.5GiB". At least 1 MiB.
 std::uint64_t memory_argument(const std::string& option, const std::string& text);
+
+/// A unit of length [m]: "m", "cm", "mm", "in", "ft" or a number of metres, as in a scene file.
+double unit_argument(const std::string& option, const std::string& text);
+/// The axis "x", "y" or "z".
+Vec3 axis_argument(const std::string& option, const std::string& text);
+/// What to say of a file of bare geometry to those who gave no --unit or --up; empty if nothing.
+std::string assumption_text(const std::string& path, const BareGeometry& bare);
 
 /// Width and height of a picture [pixels], each in [1, 16384].
 struct PixelSize {

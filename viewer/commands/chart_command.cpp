@@ -9,6 +9,7 @@
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
 #include "viewer/charts/scene_charts.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/commands/output.h"
 #include "viewer/commands/progress_line.h"
 #include "viewer/commands/scene_argument.h"
@@ -30,7 +31,9 @@ void require_folder(const std::string& path) {
 }  // namespace
 
 void run_chart(const ChartRequest& request) {
-    const ReadScene read = read_scene_argument(request.scene, AlbedoAboveOne::scale);
+    const ReadScene read = read_scene_argument(request.scene, AlbedoAboveOne::scale, request.bare);
+    const std::string assumption = assumption_text(request.scene, request.bare);
+    if (!assumption.empty()) print_message(assumption);
     require_folder(request.output);
     const fs::path folder = request.output;
     SweepOptions options;

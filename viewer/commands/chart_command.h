@@ -2,11 +2,14 @@
 
 #include <string>
 
+#include "solver/reading/bare_geometry.h"
+
 namespace lightwell {
 
 /// What `lightwell chart` was asked for.
 struct ChartRequest {
     std::string scene;   ///< as for precompute
+    BareGeometry bare;   ///< what a geometry file is taken for
     std::string output;  ///< a folder; made if it is not there
     bool quick = false;
     bool progress = true;  ///< a progress line, where standard error is a terminal

@@ -59,6 +59,20 @@ void add_threads(CLI::App& app, Requests& requests) {
               });
 }
 
+void add_geometry(CLI::App& app, BareGeometry& bare, CLI::Option* excluded = nullptr) {
+    CLI::Option* unit = add_value(
+        app, "--unit", "UNIT",
+        "of bare geometry (.obj, .ply): m (default), cm, mm, in, ft, or its length in metres",
+        [&bare](const std::string& text) { bare.metres_per_unit = unit_argument("--unit", text); });
+    CLI::Option* up = add_value(
+        app, "--up", "AXIS",
+        "which axis of bare geometry points up: x, y or z (default); coordinates stay as they are",
+        [&bare](const std::string& text) { bare.up = axis_argument("--up", text); });
+    if (excluded == nullptr) return;
+    unit->excludes(excluded);
+    up->excludes(excluded);
+}
+
 void add_lights(CLI::App& app, std::optional<std::string>& lights) {
     add_value(app, "--lights", "L.toml", "file with [[light]] tables; the scene's own by default",
               [&lights](const std::string& text) { lights = text; });
@@ -82,6 +96,7 @@ CLI::App* add_precompute(CLI::App& app, Requests& requests) {
                               ->add_option("-o,--output", request.output,
                                            "the file to write; with --resume, that file by default")
                               ->type_name("FILE.gto");
+    add_geometry(*command, request.bare, resumed);
     // CLI11 has no "one of these", and its own words would name neither.
     command->final_callback([scene, resumed, output] {
         if (scene->empty() && resumed->empty()) throw CLI::RequiredError("SCENE or --resume");
@@ -146,6 +161,7 @@ CLI::App* add_info(CLI::App& app, Requests& requests) {
     command->add_option("FILE", requests.info.subject, "a .gto file, or a scene as for precompute")
         ->type_name("")
         ->required();
+    add_geometry(*command, requests.info.bare);
     command->add_flag("--json", requests.info.json, "print one JSON object");
     return command;
 }
@@ -295,6 +311,7 @@ CLI::App* add_chart(CLI::App& app, Requests& requests) {
     command->add_option("-o,--output", request.output, "folder for charts, tables and a page")
         ->type_name("DIR")
         ->required();
+    add_geometry(*command, request.bare);
     command->add_flag("--quick", request.quick, "fewer settings and lamps: a minute or two");
     command->add_flag_callback(
         "--no-progress", [&request] { request.progress = false; }, "show no progress");

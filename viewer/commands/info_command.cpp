@@ -8,6 +8,7 @@
 
 #include "radiance4d/operator/operator_file.h"
 #include "solver/reading/diagnosis.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/commands/output.h"
 #include "viewer/commands/scene_argument.h"
 
@@ -228,11 +229,16 @@ std::string printed(const Json& json) {
 
 void run_info(const InfoRequest& request) {
     if (is_operator_file(request.subject)) {
+        if (request.bare.says_anything())
+            throw InputError(Place{request.subject}, "is an operator, and knows its unit");
         const OperatorFileInfo info = inspect_operator_file(request.subject);
         print_result(request.json ? printed(operator_json(info))
                                   : operator_text(request.subject, info));
     } else {
-        const ReadScene read = read_scene_argument(request.subject, AlbedoAboveOne::scale);
+        const ReadScene read =
+            read_scene_argument(request.subject, AlbedoAboveOne::scale, request.bare);
+        const std::string assumption = assumption_text(request.subject, request.bare);
+        if (!assumption.empty()) print_message(assumption);
         print_result(request.json ? printed(reading_json(read)) : reading_text(read));
     }
 }

@@ -2,11 +2,14 @@
 
 #include <string>
 
+#include "solver/reading/bare_geometry.h"
+
 namespace lightwell {
 
 /// What `lightwell info` was asked for.
 struct InfoRequest {
     std::string subject;  ///< a .gto file, or a scene as for precompute
+    BareGeometry bare;    ///< what a geometry file is taken for
     bool json = false;
 };
 

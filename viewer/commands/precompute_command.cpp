@@ -14,6 +14,7 @@
 #include "radiance4d/scene/brdf.h"
 #include "solver/radiance_bounce.h"
 #include "solver/reading/input_file.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/commands/output.h"
 #include "viewer/commands/precompute_report.h"
 #include "viewer/commands/progress_line.h"
@@ -85,10 +86,12 @@ GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
 /// The scene, and what is to be said about it.
 Scene read_scene_of(PrecomputeRequest& request) {
     if (!request.resumed.empty()) return take_up(request);
-    ReadScene read = read_scene_argument(request.scene, request.above_one);
-    if (!request.quiet)
-        for (const Warning& warning : read.report.warnings)
-            print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
+    ReadScene read = read_scene_argument(request.scene, request.above_one, request.bare);
+    if (request.quiet) return std::move(read.scene);
+    const std::string assumption = assumption_text(request.scene, request.bare);
+    if (!assumption.empty()) print_message(assumption);
+    for (const Warning& warning : read.report.warnings)
+        print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
     return std::move(read.scene);
 }
 

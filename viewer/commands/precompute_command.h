@@ -3,6 +3,7 @@
 #include <string>
 
 #include "solver/precompute.h"
+#include "solver/reading/bare_geometry.h"
 #include "solver/reading/material_choice.h"
 
 namespace lightwell {
@@ -10,6 +11,7 @@ namespace lightwell {
 /// What `lightwell precompute` was asked for.
 struct PrecomputeRequest {
     std::string scene;    ///< a scene file, a geometry file, or a folder with a scene.toml
+    BareGeometry bare;    ///< what a geometry file is taken for
     std::string resumed;  ///< a .gto file to go on from, instead of a scene
     std::string output;   ///< the .gto file to write; by default the one to go on from
     PrecomputeOptions options;

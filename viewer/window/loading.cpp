@@ -85,10 +85,10 @@ Loading::Work reading_of(const std::string& path) {
     };
 }
 
-Loading::Work precomputation_of(const std::string& path, double error) {
-    return [path, error](Loading::Desk& desk) {
+Loading::Work precomputation_of(const std::string& path, const BareGeometry& bare, double error) {
+    return [path, bare, error](Loading::Desk& desk) {
         desk.begin("reading " + path);
-        const Scene scene = read_scene_argument(path, AlbedoAboveOne::refuse).scene;
+        const Scene scene = read_scene_argument(path, AlbedoAboveOne::refuse, bare).scene;
         for (const double step : errors_on_the_way(error)) {
             desk.begin(fmt::format("computing to {:.3g} %", 100 * step));
             PrecomputeOptions options;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "radiance4d/progress.h"
+#include "solver/reading/bare_geometry.h"
 #include "viewer/commands/opened_operator.h"
 
 namespace lightwell {
@@ -71,7 +72,7 @@ class Loading {
 /// Reads a .gto file.
 Loading::Work reading_of(const std::string& path);
 /// Precomputes a scene, first coarsely and soon, then to the error asked for.
-Loading::Work precomputation_of(const std::string& scene, double error);
+Loading::Work precomputation_of(const std::string& scene, const BareGeometry& bare, double error);
 
 /// The errors on the way to `error`, coarse to fine, the last being `error` itself.
 std::vector<double> errors_on_the_way(double error);

@@ -47,6 +47,13 @@ void view(int argc, char** argv) {
         [&](const std::string& text) { request.size = size_argument("--size", text); });
     add("--error", "E", "relative error that a scene is computed to; 0.05 by default",
         [&](const std::string& text) { request.error = error_argument("--error", text); });
+    add("--unit", "UNIT",
+        "of bare geometry (.obj, .ply): m (default), cm, mm, in, ft, or its length in metres",
+        [&](const std::string& text) {
+            request.bare.metres_per_unit = unit_argument("--unit", text);
+        });
+    add("--up", "AXIS", "which axis of bare geometry points up: x, y or z (default)",
+        [&](const std::string& text) { request.bare.up = axis_argument("--up", text); });
     add("--projection", "WAY",
         "of lamps: rays, queries (occlusion queries), or fastest (default), measured at the start",
         [&](const std::string& text) {

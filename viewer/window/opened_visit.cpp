@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "radiance4d/failure.h"
+#include "solver/reading/mesh_reader.h"
 #include "solver/reading/scene_reader.h"
 #include "solver/reading/toml_table.h"
 #include "viewer/commands/default_camera.h"
@@ -50,9 +51,13 @@ void WindowLoop::open(const std::string& path) {
     const FileKind kind = kind_of(path);
     if (kind == FileKind::lights)
         throw InputError(Place{path}, "holds lights, not a scene; give it after --lights");
+    const bool is_named = path == request_.subject;
+    if (is_named && kind == FileKind::operator_file && request_.bare.says_anything())
+        throw InputError(Place{path}, "is an operator, and knows its unit");
+    const BareGeometry bare = is_named || is_mesh_file(path) ? request_.bare : BareGeometry();
     loading_ = std::make_unique<Loading>(kind == FileKind::operator_file
                                              ? reading_of(path)
-                                             : precomputation_of(path, request_.error));
+                                             : precomputation_of(path, bare, request_.error));
     path_ = path;
     if (kind == FileKind::operator_file)
         watch_.emplace(path);
@@ -93,11 +98,13 @@ void WindowLoop::enter(const SharedOperator& opened) {
     scene_->light(visit_.edits.shining(), visit_.update, false);
     history_.add(scene_->times());
     if (is_new_visit_) expose();
-    is_new_visit_ = false;
     window_.set_title("Lightwell: " + opened->transport.scene.name);
     const Provenance& provenance = opened->transport.provenance;
     visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
                            100 * provenance.error_asked));
+    const std::string assumption = assumption_text(path_, request_.bare);
+    if (is_new_visit_ && !assumption.empty()) visit_.say(assumption);
+    is_new_visit_ = false;
     frames_to_draw_ = frames_after_change;
 }
 

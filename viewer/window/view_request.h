@@ -12,6 +12,7 @@ namespace lightwell {
 /// What `lightwell view` was asked for.
 struct ViewRequest {
     std::string subject;                ///< a .gto file, or a scene as for precompute
+    BareGeometry bare;                  ///< what a geometry file is taken for
     std::optional<std::string> lights;  ///< a file of lights, and perhaps a view; the scene's own
     std::optional<std::string> camera;  ///< a file with a camera; the scene's own
     PixelSize size{1280, 800};          ///< of the window's content

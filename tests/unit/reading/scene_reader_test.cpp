@@ -49,6 +49,24 @@ TEST_F(SceneReader, ReadsABareObjWithItsMaterials) {
     EXPECT_EQ(read.scene.up, Vec3::UnitZ());
 }
 
+TEST_F(SceneReader, TakesBareGeometryForWhatItIsToldToBe) {
+    BareGeometry bare;
+    EXPECT_EQ(assumed_of("room.obj", bare), "lengths are in metres and z points up");
+    bare.metres_per_unit = metres_in("cm");
+    EXPECT_EQ(assumed_of("room.obj", bare), "z points up");
+    bare.up = axis_called("y");
+    EXPECT_EQ(assumed_of("room.obj", bare), "");
+    EXPECT_EQ(assumed_of("scene.toml", {}), "");
+    const Scene scene = read_scene(folder.path("room.obj"), AlbedoAboveOne::refuse, bare).scene;
+    EXPECT_NEAR(scene.quads[0].quad.area(), 2, 1e-12);
+    EXPECT_EQ(scene.up, Vec3::UnitY());
+    const std::string file = folder.write("scene.toml", "geometry = \"room.obj\"\n");
+    EXPECT_EQ(input_error_of([&] {
+                  read_scene(file, AlbedoAboveOne::refuse, bare);
+              }).rfind("scene.toml: is a scene file", 0),
+              0u);
+}
+
 TEST_F(SceneReader, ReadsEverythingASceneFileCanSay) {
     const ReadScene read = this->read(R"(
 name = "Room 7"
@@ -271,7 +289,7 @@ TEST_F(SceneReader, RefusesUnknownKeysWithTheirPlace) {
         error_after_geometry("[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\n"
                              "intensity = 1\ninner_angle = 3\n"),
         "scene.toml:6:1: unknown key 'inner_angle' in [[light]]; known here: dimmer, intensity, "
-        "name, position, type");
+        "name, on, position, type");
 }
 
 TEST_F(SceneReader, RefusesWrongTypesWithTheirPlace) {
