@@ -18,11 +18,13 @@ struct LampView {
     bool reaches(const Quad& quad) const;
 };
 
-/// The six faces of a cube about the lamp, which see everything.
+/// The six faces of a cube about the lamp, which see everything; turned in space, so that the edges
+/// of shadows in a room are not parallel to rows of pixels.
 std::array<LampView, 6> cube_views();
 
-/// A view that a quad, given relative to the lamp, fills as far as a view can: along the quad's
-/// horizontal and across it, and `margin` wider on each side, as a share of its width.
+/// A view that a quad, given relative to the lamp, fills as far as a view can that is turned, for
+/// the same reason: along the quad's horizontal and across it, and `margin` wider on each side, as
+/// a share of its width.
 /// @return none if a corner is seen more than 37 degrees from its middle, since the pixels of such
 ///         a view take up too different parts of the lamp's sky, or if the lamp is in its plane.
 std::optional<LampView> close_view(const Quad& quad, double margin);

@@ -8,10 +8,9 @@ namespace lightwell {
 
 namespace {
 
-/// Levels below the finest: as many as there is room for.
-int finer_levels(const RadianceSpace& space) {
+/// Levels below the finest: as many of those wanted as there is room for.
+int finer_levels(const RadianceSpace& space, int levels) {
     constexpr std::uint64_t most_cells = std::uint64_t{1} << 18U;
-    int levels = 2;
     while (levels > 0 &&
            (std::uint64_t{space.functions()} << 2U * static_cast<unsigned>(levels)) > most_cells)
         --levels;
@@ -42,7 +41,7 @@ OcclusionQueryProjection::OcclusionQueryProjection(const RadianceSpace& space,
                                                    const GlLoader& loader,
                                                    const OcclusionQueryOptions& options)
     : cells_(space.elements().begin(), space.elements().end()),
-      finer_(finer_levels(space)),
+      finer_(finer_levels(space, options.finer_levels)),
       finer_space_(finer_space(space, finer_)),
       finer_cells_(finer_space_.elements().begin(), finer_space_.elements().end()),
       shares_(finer_space_, finer_cells_, finer_, quads, occluders, loader, options) {

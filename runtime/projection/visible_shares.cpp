@@ -20,7 +20,7 @@ constexpr double least_flux = 2e-5;
 constexpr int most_halvings = 4;
 /// Quarters of a cell of the basis are looked at if the light on them differs by more than this
 /// share of the flux on the element.
-constexpr double uneven = 5e-5;
+constexpr double uneven = 2e-5;
 
 bool is_within(const ParameterRect& inner, const ParameterRect& outer) {
     return inner.u0 >= outer.u0 && inner.u1 <= outer.u1 && inner.v0 >= outer.v0 &&

@@ -19,6 +19,9 @@ struct OcclusionQueryOptions {
     double error = 1e-3;
     /// Views that an element may get, each of what the last one has found to be lit.
     int most_looks = 3;
+    /// Levels below the finest cells that are looked at where the light on a cell is uneven; in
+    /// large scenes as many of them as there is room for.
+    int finer_levels = 2;
 };
 
 /// How much a lamp sees of the cells of all elements, by occlusion queries.

@@ -1,5 +1,6 @@
 #include "runtime/projection/occlusion_query_projection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -94,12 +95,14 @@ TEST_F(OcclusionQueries, AQuadInThePlaneOfAnotherDoesNotHideIt) {
     expect_same_flux(room, projected(room, light), room.truth(light), 1e-3, 1e-3, "patch");
 }
 
+/// A rectangle that faces -x.
+Quad upright(double x, double y0, double y1, double z0, double z1) {
+    return {{Vec3(x, y0, z0), Vec3(x, y0, z1), Vec3(x, y1, z1), Vec3(x, y1, z0)}};
+}
+
 // A plate behind a bar, and the wall behind a slit of 4 cm: some 50 and 6 pixels of a face of the
 // cube.
 TEST_F(OcclusionQueries, CountSmallAndNearlyDarkSidesAsExactlyAsOthers) {
-    const auto upright = [](double x, double y0, double y1, double z0, double z1) {
-        return Quad{{Vec3(x, y0, z0), Vec3(x, y0, z1), Vec3(x, y1, z1), Vec3(x, y1, z0)}};
-    };
     std::vector<Quad> quads = box_walls(Vec3::Zero(), Vec3(6, 3, 3));
     quads.push_back(upright(3.6, 1, 1.31, 1.03, 1.33));
     quads.push_back(upright(3.5, 0.9, 1.4, 1.08, 1.12));
@@ -112,6 +115,45 @@ TEST_F(OcclusionQueries, CountSmallAndNearlyDarkSidesAsExactlyAsOthers) {
         name << "lamp at " << place.transpose();
         expect_same_flux(room, projected(room, light), room.truth(light), 5e-3, 2e-3, name.str());
     }
+}
+
+/// The relative error of the flux on an element.
+double error_on(const LitRoom& room, std::size_t element, const RadianceField& field,
+                const std::vector<Light>& lights) {
+    return std::abs(room.flux(element, field) / room.flux(element, room.truth(lights)) - 1);
+}
+
+// A plate in the far corner of a hall, half behind a bar: some 30 pixels of a face of the cube.
+TEST_F(OcclusionQueries, LookCloserWhereACubeShowsTooLittle) {
+    std::vector<Quad> quads = box_walls(Vec3::Zero(), Vec3(12, 6, 5));
+    quads.push_back(upright(11, 5, 5.3, 1, 1.3));
+    quads.push_back(upright(10.5, 4.6, 4.94, 0.9, 1.5));
+    const LitRoom room = lit_room(quads, 0.5);
+    OcclusionQueryOptions once;
+    once.most_looks = 0;
+    double worst_at_once = 0;
+    for (int k = 0; k < 4; ++k) {
+        const std::vector<Light> light = {lamp(Vec3(0.43 + 0.05 * k, 0.62, 2.3))};
+        const double exact = room.flux(6, room.truth(light));
+        ASSERT_GT(exact, 0);
+        const LitRoom alone = lit_room({quads[6]}, 0.5);
+        ASSERT_LT(exact, 0.9 * alone.flux(0, alone.truth(light)));
+        EXPECT_LT(error_on(room, 6, projected(room, light), light), 5e-3) << k;
+        worst_at_once =
+            std::max(worst_at_once, error_on(room, 6, projected(room, light, once), light));
+    }
+    EXPECT_GT(worst_at_once, 5e-3);
+}
+
+// Pixels of a cell count alike, but light from near does not fall on them alike.
+TEST_F(OcclusionQueries, LookBelowCellsThatLightFallsOnUnevenly) {
+    const LitRoom room =
+        lit_room({level_rectangle(0, 4, 0, 4, 0), level_rectangle(2.1, 2.6, 1.7, 2.4, 0.3)}, 1.05);
+    const std::vector<Light> light = {lamp(Vec3(1.8, 1.9, 0.8))};
+    OcclusionQueryOptions whole;
+    whole.finer_levels = 0;
+    EXPECT_LT(error_on(room, 0, projected(room, light), light), 2e-3);
+    EXPECT_GT(error_on(room, 0, projected(room, light, whole), light), 1e-2);
 }
 
 TEST_F(OcclusionQueries, DoNotFlicker) {

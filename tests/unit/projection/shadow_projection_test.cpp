@@ -7,7 +7,6 @@
 #include <tbb/global_control.h>
 
 #include "radiance4d/scene/visibility.h"
-#include "tests/shared_reference.h"
 #include "tests/unit/projection/lit_rooms.h"
 #include "tests/unit/radiance4d/rooms.h"
 
@@ -112,29 +111,6 @@ TEST(ShadowProjection, AgreesWithManyRays) {
                         element.geometry.jacobian(u, v) / (n * n);
             }
         EXPECT_NEAR(room.flux(e, field), flux, 3e-3 * flux + 1e-3) << "element " << e;
-    }
-}
-
-TEST(ShadowProjection, MatchesTheClosedFormsOfAHardShadow) {
-    LIGHTWELL_SHARED_JSON(cases, "reference/direct_tests.json");
-    const auto& test = cases["point_light_hard_shadow"];
-    const auto &b = test["blocker_x1x2y1y2z"], &f = test["floor"];
-    const std::vector<Quad> quads = {level_rectangle(f[0], f[1], f[2], f[3], 0),
-                                     level_rectangle(b[0], b[1], b[2], b[3], b[4])};
-    const PointLight light{"lamp", Vec3(test["light"][0], test["light"][1], test["light"][2]),
-                           Rgb::Constant(test["I"])};
-    for (const auto& [level, expected] : test["levels"].items()) {
-        const double cells = std::exp2(std::stoi(level));
-        const LitRoom room = lit_room(quads, 4.001 / cells);
-        const RadianceField lux = cell_irradiance(room.space, 0, projected(room, {light}));
-        const CellTree& tree = room.space.element(0).space.tree();
-        ASSERT_EQ(static_cast<double>(tree.columns()), cells);
-        for (std::uint32_t j = 0; j < tree.rows(); ++j)
-            for (std::uint32_t i = 0; i < tree.columns(); ++i) {
-                const double wanted = expected[i][j];  // rows run along x
-                EXPECT_NEAR(lux(tree.finest_at(i, j), 0), wanted, 0.01 * wanted + 1e-3)
-                    << "level " << level << ", cell " << i << ' ' << j;
-            }
     }
 }
 
