@@ -102,10 +102,15 @@ class FrameRenderer::Drawing {
         check_gl(gl_, "uploading textures");
     }
 
-    void draw(const Camera& camera, const FrameView& view, int width, int height) {
+    void draw(const Camera& camera, const FrameView& view, int width, int height,
+              const PictureRows& rows) {
+        LIGHTWELL_CHECK(view.coarseness == 1 || (rows.from == 0 && rows.to == 1));
         const KeptFramebuffer kept(gl_);
-        draw_light(camera, view, width, height);
+        const int from = static_cast<int>(std::lround(rows.from * height));
+        const int to = static_cast<int>(std::lround(rows.to * height));
+        draw_light(camera, view, width, height, from, to);
         kept.bind_drawn();
+        const LimitedRows limits(gl_, width, from, to);
         developing_.draw(canvas_->light_texture(), view, width, height);
         check_gl(gl_, "drawing a frame");
     }
@@ -113,7 +118,7 @@ class FrameRenderer::Drawing {
     LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height) {
         LIGHTWELL_CHECK_OP(view.coarseness, ==, 1);
         const KeptFramebuffer kept(gl_);
-        draw_light(camera, view, width, height);
+        draw_light(camera, view, width, height, 0, height);
         return mean_of_samples(*canvas_, view.samples, width, height);
     }
 
@@ -158,7 +163,9 @@ class FrameRenderer::Drawing {
             .first->second;
     }
 
-    void draw_light(const Camera& camera, const FrameView& view, int width, int height) {
+    /// @param from,to  rows of the picture
+    void draw_light(const Camera& camera, const FrameView& view, int width, int height, int from,
+                    int to) {
         LIGHTWELL_CHECK_OP(view.samples, >=, 1);
         LIGHTWELL_CHECK_OP(view.samples, <=, 4);
         LIGHTWELL_CHECK_OP(view.coarseness, >=, 1);
@@ -175,6 +182,10 @@ class FrameRenderer::Drawing {
         seen.up = 0.5 * height / rays_->focal_length();
         seen.width = canvas_->width();
         seen.height = canvas_->height();
+        // Contour lines look at the row below.
+        const int first = from == 0 ? 0 : (from - 1) * view.samples;
+        const int last = to == height ? canvas_->height() : to * view.samples;
+        const LimitedRows limits(gl_, canvas_->width(), first, last);
         canvas_->bind_seen();
         indices_.clear(canvas_->width(), canvas_->height());
         indices_.draw(seen);
@@ -242,8 +253,9 @@ void FrameRenderer::upload_exact(const TextureAtlas& textures) {
 void FrameRenderer::upload_lobes(const TextureAtlas& indirect, const TextureAtlas& emitted) {
     drawing_->upload_lobes(indirect, emitted);
 }
-void FrameRenderer::draw(const Camera& camera, const FrameView& view, int width, int height) {
-    drawing_->draw(camera, view, width, height);
+void FrameRenderer::draw(const Camera& camera, const FrameView& view, int width, int height,
+                         const PictureRows& rows) {
+    drawing_->draw(camera, view, width, height, rows);
 }
 LinearPicture FrameRenderer::linear(const Camera& camera, const FrameView& view, int width,
                                     int height) {

@@ -66,8 +66,10 @@ class FrameRenderer {
 
     /// Draws into the framebuffer that is bound, from its lower left corner on, as sRGB-encoded
     /// colours; GL_FRAMEBUFFER_SRGB is switched off. Depth there is neither read nor written.
+    /// @param rows  others stay as they are there; all, if the view is coarse
     /// @throws InputError for a camera that cannot be used; SystemError if OpenGL fails.
-    void draw(const Camera& camera, const FrameView& view, int width, int height);
+    void draw(const Camera& camera, const FrameView& view, int width, int height,
+              const PictureRows& rows = {});
 
     /// The same picture before exposure, tone curve and false colours: cd/m2 for total, direct and
     /// indirect, lx for lux, the linear light of a display in [0,1] for the rest.

@@ -13,6 +13,12 @@ enum class Picture {
     difference     ///< relative difference of the illuminance to that by the exact product
 };
 
+/// The rows of a picture to draw, of its height: a picture that takes long is drawn from below in
+/// several parts, so that nobody waits for all of it.
+struct PictureRows {
+    double from = 0, to = 1;
+};
+
 /// How a frame is shown.
 struct FrameView {
     Picture picture = Picture::total;

@@ -92,6 +92,7 @@ GlFunctions::GlFunctions(const GlLoader& loader) {
     load<PFNGLDRAWBUFFERPROC>(draw_buffer, loader, "glDrawBuffer");
     load<PFNGLREADBUFFERPROC>(read_buffer, loader, "glReadBuffer");
     load<PFNGLVIEWPORTPROC>(viewport, loader, "glViewport");
+    load<PFNGLSCISSORPROC>(scissor, loader, "glScissor");
     load<PFNGLCLEARBUFFERIVPROC>(clear_bufferiv, loader, "glClearBufferiv");
     load<PFNGLCLEARBUFFERFVPROC>(clear_bufferfv, loader, "glClearBufferfv");
     load<PFNGLDRAWARRAYSPROC>(draw_arrays, loader, "glDrawArrays");

@@ -94,6 +94,7 @@ struct GlFunctions {
     void (*draw_buffer)(unsigned) = nullptr;
     void (*read_buffer)(unsigned) = nullptr;
     void (*viewport)(int, int, int, int) = nullptr;
+    void (*scissor)(int, int, int, int) = nullptr;
     void (*clear_bufferiv)(unsigned, int, const int*) = nullptr;
     void (*clear_bufferfv)(unsigned, int, const float*) = nullptr;
     void (*draw_arrays)(unsigned, int, int) = nullptr;

@@ -18,6 +18,14 @@ void KeptFramebuffer::bind_drawn() const {
     gl_.bind_framebuffer(GL_DRAW_FRAMEBUFFER, static_cast<unsigned>(drawn_));
 }
 
+LimitedRows::LimitedRows(const GlFunctions& gl, int width, int from, int to) : gl_(gl) {
+    gl_.enable(GL_SCISSOR_TEST);
+    gl_.scissor(0, from, width, to - from);
+}
+LimitedRows::~LimitedRows() {
+    gl_.disable(GL_SCISSOR_TEST);
+}
+
 ProgramInUse::ProgramInUse(const GlFunctions& gl, const GlObject& program)
     : gl_(gl), program_(program.name()) {
     gl.use_program(program_);

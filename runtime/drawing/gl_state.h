@@ -22,6 +22,18 @@ class KeptFramebuffer {
     int drawn_ = 0, read_ = 0;
 };
 
+/// Nothing is drawn or cleared outside of some rows, from .. to - 1, until the end.
+class LimitedRows {
+  public:
+    LimitedRows(const GlFunctions& gl, int width, int from, int to);
+    ~LimitedRows();
+    LimitedRows(const LimitedRows&) = delete;
+    LimitedRows& operator=(const LimitedRows&) = delete;
+
+  private:
+    const GlFunctions& gl_;
+};
+
 /// A program in use, with its uniforms by name; names that it has no use for are passed over. At
 /// the end no program is in use, and no texture is bound to the units that it took.
 class ProgramInUse {

@@ -48,8 +48,8 @@ IndexDrawing::IndexDrawing(const GlFunctions& gl, const std::vector<Quad>& quads
       quads_(gl, quads, quads) {}
 
 void IndexDrawing::clear(int width, int height) const {
-    for (const unsigned feature : {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST,
-                                   GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL})
+    for (const unsigned feature :
+         {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL})
         gl_.disable(feature);
     gl_.enable(GL_DEPTH_TEST);
     gl_.depth_func(GL_GREATER);

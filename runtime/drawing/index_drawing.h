@@ -31,8 +31,8 @@ class IndexDrawing {
     /// Nothing nearer than this along the axis is seen.
     static constexpr float nearest = 1e-5F;
 
-    /// Sets -1 and infinitely far everywhere in the framebuffer that is bound, and the state that
-    /// draw() depends on.
+    /// Sets -1 and infinitely far in the framebuffer that is bound, and the state that draw()
+    /// depends on; but where the scissor test is, is left to others (LimitedRows).
     void clear(int width, int height) const;
     /// Draws into the framebuffer that is bound.
     void draw(const IndexView& view) const;

@@ -1,14 +1,21 @@
 #include "runtime/drawing/lamp_maps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <GL/glcorearb.h>
+#include <fmt/format.h>
 
 #include "radiance4d/failure.h"
+#include "runtime/drawing/gl_state.h"
 
 namespace lightwell {
 
 namespace {
+
+/// Texels of all maps together: 256 MiB.
+constexpr double most_texels = 1 << 26;
+constexpr int least_side = 16;
 
 /// The rows are a face's right, top and forward.
 Eigen::Matrix3d frame_of_face(int face) {
@@ -29,13 +36,20 @@ LampMaps::LampMaps(const GlFunctions& gl, const IndexDrawing& quads, int side)
       texture_(make_texture(gl)),
       framebuffer_(make_framebuffer(gl)),
       depth_(make_renderbuffer(gl, GL_DEPTH_COMPONENT32F, 3 * side, 2 * side)) {
-    LIGHTWELL_CHECK_OP(side, >=, 16);
+    LIGHTWELL_CHECK_OP(side, >=, least_side);
+    gl_.get_integerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most_layers_);
     make_room(1);
 }
 
 void LampMaps::make_room(std::size_t lamps) {
     if (lamps <= seen_from_.size()) return;
-    seen_from_.assign(std::max(lamps, 2 * seen_from_.size()), std::nullopt);
+    const auto most = static_cast<std::size_t>(most_layers_);
+    if (lamps > most)
+        throw SystemError(fmt::format("OpenGL cannot draw {} lamps, {} at most", lamps, most));
+    seen_from_.assign(std::min(most, std::max(lamps, 2 * seen_from_.size())), std::nullopt);
+    const double texels = most_texels / (6 * static_cast<double>(seen_from_.size()));
+    side_ = std::clamp(static_cast<int>(std::sqrt(texels)), least_side, side_);
+    depth_ = make_renderbuffer(gl_, GL_DEPTH_COMPONENT32F, 3 * side_, 2 * side_);
     gl_.active_texture(GL_TEXTURE0);
     gl_.bind_texture(GL_TEXTURE_2D_ARRAY, texture_.name());
     for (const unsigned filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -59,6 +73,7 @@ int LampMaps::look_from(const std::vector<Vec3>& places) {
                                      depth_.name());
         if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
             throw SystemError("OpenGL cannot draw what a lamp sees");
+        const LimitedRows all(gl_, 3 * side_, 0, 2 * side_);
         quads_.clear(3 * side_, 2 * side_);
         for (int face = 0; face < 6; ++face)
             quads_.draw({places[lamp], frame_of_face(face), reach(), reach(), face % 3 * side_,

@@ -17,6 +17,8 @@ namespace lightwell {
 class LampMaps {
   public:
     /// Keeps references to both.
+    /// @param side  of a face [pixels]; smaller where lamps are so many that their maps would fill
+    ///              more than 256 MiB
     LampMaps(const GlFunctions& gl, const IndexDrawing& quads, int side);
 
     static constexpr int margin = 2;
@@ -29,6 +31,7 @@ class LampMaps {
     /// Looks from these places, in the coordinates of the quads; only from those that differ from
     /// the last call's.
     /// @return how many that were
+    /// @throws SystemError for more lamps than OpenGL has layers of a texture for: at least 256
     int look_from(const std::vector<Vec3>& places);
 
   private:
@@ -37,6 +40,7 @@ class LampMaps {
     const GlFunctions& gl_;
     const IndexDrawing& quads_;
     int side_;
+    int most_layers_ = 0;
     std::vector<std::optional<Vec3>> seen_from_;  ///< by layer
     GlObject texture_, framebuffer_, depth_;
 };

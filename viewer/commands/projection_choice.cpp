@@ -1,5 +1,6 @@
 #include "viewer/commands/projection_choice.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -13,9 +14,13 @@ namespace lightwell {
 
 namespace {
 
-/// The scene's lamps, or one before its first quad.
+/// Some of the scene's lamps, or one before its first quad.
 std::vector<Light> lights_to_try(const OpenedOperator& opened) {
-    if (!opened.transport.scene.lights.empty()) return opened.transport.scene.lights;
+    constexpr std::size_t most = 4;
+    const std::vector<Light>& lights = opened.transport.scene.lights;
+    if (!lights.empty())
+        return {lights.begin(),
+                lights.begin() + static_cast<std::ptrdiff_t>(std::min(most, lights.size()))};
     PointLight anywhere;
     anywhere.position = opened.quads[0].centre() + opened.quads[0].normal();
     anywhere.intensity = Rgb::Ones();

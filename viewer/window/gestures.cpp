@@ -49,7 +49,7 @@ const std::array<HelpLine, 24> help_lines = {{
     {"drag the yellow tip", "turn a spot"},
     {"L, Delete", "add a lamp, delete the selected one"},
     {"Space", "switch the selected lamp on or off"},
-    {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
+    {"Ctrl+Z, Ctrl+Y", "undo, redo (Ctrl+Shift+Z, too)"},
     {"click on a surface", "read its light"},
     {"1 ... 7", "picture: total, direct, indirect, lux, level, coefficients, difference"},
     {"- and .", "darker, brighter"},

@@ -10,6 +10,9 @@ namespace lightwell {
 
 namespace {
 
+/// Of the list of lamps; it scrolls where there are more.
+constexpr std::size_t most_lines = 8;
+
 /// A light's colour and brightness, as the panel shows them apart.
 struct Colour {
     float rgb[3];   ///< the largest is 1
@@ -117,7 +120,12 @@ void show_lights(const PanelSubject& subject) {
     if (ImGui::Button("redo")) visit.redo();
     ImGui::EndDisabled();
 
-    for (std::size_t k = 0; k < visit.edits.lights().size(); ++k) {
+    const std::size_t count = visit.edits.lights().size();
+    const float height =
+        static_cast<float>(std::min(count, most_lines)) * ImGui::GetTextLineHeightWithSpacing() +
+        2 * ImGui::GetStyle().FramePadding.y;
+    const bool is_list = count > 0 && ImGui::BeginListBox("##lamps", ImVec2(-1, height));
+    for (std::size_t k = 0; is_list && k < count; ++k) {
         const EditedLight& edited = visit.edits.lights()[k];
         ImGui::PushID(static_cast<int>(k));
         const std::string label = name_of(edited.light) + (edited.on ? "" : "  (off)");
@@ -125,7 +133,8 @@ void show_lights(const PanelSubject& subject) {
         if (ImGui::Selectable((label + "##light").c_str(), visit.selected == k)) visit.selected = k;
         ImGui::PopID();
     }
-    if (visit.edits.lights().empty()) ImGui::TextDisabled("no lamps");
+    if (is_list) ImGui::EndListBox();
+    if (count == 0) ImGui::TextDisabled("no lamps");
     if (!visit.selected_light()) return;
     ImGui::Separator();
     EditedLight edited = *visit.selected_light();

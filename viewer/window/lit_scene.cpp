@@ -92,12 +92,13 @@ bool LitScene::light(const std::vector<Light>& lights, const UpdateOptions& opti
     return true;
 }
 
-void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height) {
+void LitScene::draw(const Camera& camera, const FrameView& view, int width, int height,
+                    const PictureRows& rows) {
     look_from(camera);
     double since = steady_seconds();
-    canvas_.draw(width, height, [&] { renderer_.draw(camera, view, width, height); });
+    canvas_.draw(width, height, [&] { renderer_.draw(camera, view, width, height, rows); });
     finish_();
-    times_.drawing = lap(since);
+    times_.drawing = rows.from == 0 ? lap(since) : times_.drawing + lap(since);
 }
 
 void LitScene::look_from(const Camera& camera) {

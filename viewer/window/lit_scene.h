@@ -40,8 +40,9 @@ class LitScene {
     /// Whether light() with the same lights would change nothing.
     bool is_at_rest() const { return report_.update.pending == 0; }
 
-    /// Draws a picture and keeps it; returns when it is complete.
-    void draw(const Camera& camera, const FrameView& view, int width, int height);
+    /// Draws a picture, or some rows of it, and keeps it; returns when these are complete.
+    void draw(const Camera& camera, const FrameView& view, int width, int height,
+              const PictureRows& rows = {});
     /// Puts the picture kept over the framebuffer that is bound, from its lower left corner on.
     void show() { canvas_.show(); }
     LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height);

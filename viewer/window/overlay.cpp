@@ -29,7 +29,11 @@ ImU32 screen_colour(const Eigen::Array3d& linear) {
     return IM_COL32(byte[0], byte[1], byte[2], 255);
 }
 
-void draw_lamp(ImDrawList& list, const EditedLight& edited, const CameraRays& rays, bool selected) {
+/// Lamps that are written beside; of more, only the selected one.
+constexpr std::size_t most_names = 24;
+
+void draw_lamp(ImDrawList& list, const EditedLight& edited, const CameraRays& rays, bool selected,
+               bool is_named) {
     const auto centre = handle_places(rays, edited.light).centre;
     const bool is_in_picture = centre && (centre->array() >= 0).all() &&
                                (*centre)[0] < rays.width() && (*centre)[1] < rays.height();
@@ -39,6 +43,7 @@ void draw_lamp(ImDrawList& list, const EditedLight& edited, const CameraRays& ra
     const ImU32 colour = edited.on && most > 0 ? screen_colour(intensity / most) : shade;
     list.AddCircleFilled(at(*centre), 6, colour);
     list.AddCircle(at(*centre), 7, selected ? in_hand : shade, 0, 2);
+    if (!is_named) return;
     const std::string& name = name_of(edited.light);
     const ImVec2 beside = at(*centre + Vec2(11, 6));
     list.AddText(ImVec2(beside.x + 1, beside.y + 1), shade, name.c_str());
@@ -165,8 +170,12 @@ void show_overlay(const PanelSubject& subject) {
     const Visit& visit = subject.visit;
     const CameraRays rays(visit.camera.camera(), subject.width, subject.height);
     if (visit.shows_handles) {
-        for (std::size_t k = 0; k < visit.edits.lights().size(); ++k)
-            draw_lamp(list, visit.edits.lights()[k], rays, visit.selected == k);
+        const std::vector<EditedLight>& lights = visit.edits.lights();
+        for (std::size_t k = 0; k < lights.size(); ++k) {
+            const bool is_selected = visit.selected == k;
+            draw_lamp(list, lights[k], rays, is_selected,
+                      is_selected || lights.size() <= most_names);
+        }
         if (const EditedLight* light = visit.selected_light())
             draw_handles(list, handle_places(rays, light->light), subject.handle);
     }

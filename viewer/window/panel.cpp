@@ -86,7 +86,7 @@ void show_loading(const PanelSubject& subject) {
     if (!subject.loading || subject.loading->is_over) return;
     const float width = letters(26);
     const ImVec2 middle(0.5F * static_cast<float>(subject.width),
-                        (subject.scene ? 0.95F : 0.5F) * static_cast<float>(subject.height));
+                        (subject.scene ? 0.05F : 0.5F) * static_cast<float>(subject.height));
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     ImGui::SetNextWindowBgAlpha(0.85F);

@@ -61,7 +61,9 @@ void show_probe(const PanelSubject& subject) {
         ImGui::TextDisabled("click a surface to read its light");
         return;
     }
-    ImGui::Text("%.2f %.2f %.2f m", point->position[0], point->position[1], point->position[2]);
+    // Rounded before it is written: -0.00 looks odd.
+    const Vec3 place = (100 * point->position).array().round().matrix() / 100 + Vec3::Zero();
+    ImGui::Text("%.2f %.2f %.2f m", place[0], place[1], place[2]);
     ImGui::SameLine();
     if (ImGui::SmallButton("forget")) subject.visit.probed.reset();
     if (!point) return;

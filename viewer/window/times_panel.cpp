@@ -54,7 +54,7 @@ void show_times(const PanelSubject& subject) {
     for (const StageTimes& times : frames)
         most = std::max(most, sum(times));
     draw_piles(frames, most);
-    ImGui::TextDisabled("top: %.3g ms", 1e3 * most);
+    ImGui::TextDisabled(most < 1 ? "top: %.3g ms" : "top: %.0f ms", 1e3 * most);
     ImGui::SameLine();
     ImGui::Checkbox("with upload and drawing", &subject.visit.charts_drawing);
     ImGui::TextDisabled("medians of the last frames:");

@@ -85,8 +85,7 @@ void WindowLoop::run() {
         probe_.poll();
         if (!frame.inputs.empty() || loading_ || probe_.is_reading() || !visit_.commands.empty())
             frames_to_draw_ = frames_after_change;
-        if (pace_.owes_a_fine_picture() || gestures_.is_walking() ||
-            (scene_ && !scene_->is_at_rest()))
+        if (pace_.owes_more() || gestures_.is_walking() || (scene_ && !scene_->is_at_rest()))
             frames_to_draw_ = std::max(frames_to_draw_, 1);
         if (frames_to_draw_ == 0 && !replay_) continue;
         --frames_to_draw_;
@@ -202,18 +201,22 @@ void WindowLoop::draw_picture() {
     if (visit_.adapts && is_lit_anew) expose();
     const Shown wanted{visit_.camera.camera(), visit_.view, picture_width_, height_};
     const bool changes = is_lit_anew || !shown_ || !is_same(*shown_, wanted);
-    const bool was_coarse = pace_.owes_a_fine_picture();
-    // What is replayed shall look the same on every machine.
-    const int coarseness = replay_ ? 1 : pace_.coarseness(changes, steady_seconds());
-    if (changes || (was_coarse && coarseness == 1)) {
+    if (const auto part = next_part(changes)) {
         FrameView drawn = wanted.view;
-        drawn.coarseness = coarseness;
-        if (coarseness > 1) drawn.samples = 1;
-        scene_->draw(wanted.camera, drawn, wanted.width, wanted.height);
-        pace_.took(scene_->times().drawing);
-        history_.add(scene_->times());
+        drawn.coarseness = part->coarseness;
+        if (part->coarseness > 1) drawn.samples = 1;
+        const double begin = steady_seconds();
+        scene_->draw(wanted.camera, drawn, wanted.width, wanted.height, part->rows);
+        pace_.took(steady_seconds() - begin);
+        if (part->rows.to == 1) history_.add(scene_->times());
     }
     shown_ = wanted;
+}
+
+std::optional<DrawingPace::Part> WindowLoop::next_part(bool changes) {
+    if (!replay_) return pace_.next(changes, steady_seconds());
+    // What is replayed shall look the same on every machine.
+    return changes ? std::optional(DrawingPace::Part()) : std::nullopt;
 }
 
 void WindowLoop::write(const PictureInput& wanted) {

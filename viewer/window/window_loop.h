@@ -52,6 +52,7 @@ class WindowLoop {
     void show_panels();
     void draw(const InputFrame& frame);
     void draw_picture();
+    std::optional<DrawingPace::Part> next_part(bool changes);
     void expose();
     void write(const PictureInput& wanted);
 

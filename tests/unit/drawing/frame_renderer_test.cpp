@@ -206,6 +206,27 @@ TEST_F(ShownFrame, HasTheFalseColoursOfPictures) {
     }
 }
 
+TEST_F(ShownFrame, IsTheSameInParts) {
+    renderer_.set_lights(room_.lamps);
+    FrameView view;
+    view.picture = Picture::lux;
+    view.lux_maximum = 60;
+    view.samples = 2;
+    const auto drawn = [&](const std::vector<PictureRows>& parts) {
+        return testing::drawn_bytes(renderer_, context_->loader(), room_.camera, view, 64, 48,
+                                    parts)
+            .rgb;
+    };
+    const auto whole = drawn({{}});
+    // In between the images behind it were another picture's.
+    view.samples = 1;
+    drawn({{}});
+    view.samples = 2;
+    EXPECT_EQ(drawn({{0, 0.3}, {0.3, 0.305}, {0.305, 0.9}, {0.9, 1}}), whole);
+    // What is not drawn stays as it is.
+    EXPECT_NE(drawn({{0, 0.5}, {0.75, 1}}), whole);
+}
+
 TEST_F(ShownFrame, TellsWhatAPixelShows) {
     const Visibility visibility(room_.quads);
     EXPECT_FALSE(renderer_.seen_at(3, 3));
@@ -276,6 +297,18 @@ TEST_F(FrameRendererTest, ManyLampsAddUp) {
 }
 
 /// A glossy floor under a lamp, drawn, against the BRDF times the illuminance at every pixel.
+// So many that their maps must be smaller to find room.
+TEST_F(FrameRendererTest, HundredsOfLampsFindRoom) {
+    const TestRoom room;
+    PointLight lamp = std::get<PointLight>(room.lamps[0]);
+    const LinearPicture one = lux(room, {lamp}, 16, 12);
+    constexpr int count = 500;
+    lamp.intensity /= count;
+    const LinearPicture many = lux(room, std::vector<Light>(count, lamp), 16, 12);
+    for (std::size_t k = 0; k < one.rgb.size(); ++k)
+        EXPECT_NEAR(many.rgb[k], one.rgb[k], 0.02F * one.rgb[k] + 0.1F) << k;
+}
+
 TEST_F(FrameRendererTest, HighlightsOfLampsAreExactForEveryLobe) {
     const Lobe lobes[] = {PhongLobe{Rgb(0.5, 0.4, 0.3), 200}, GgxLobe{Rgb(0.5, 0.4, 0.3), 0.15}};
     for (const Lobe& lobe : lobes) {

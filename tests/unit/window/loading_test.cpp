@@ -169,19 +169,51 @@ TEST(StageHistory, KeepsTheLastFramesAndTheirMedians) {
 
 TEST(DrawingPace, DrawsCoarselyOnlyWhileAPictureChangesThatTakesLong) {
     DrawingPace pace;
-    EXPECT_EQ(pace.coarseness(true, 0), 1);
-    pace.took(0.01);
-    EXPECT_EQ(pace.coarseness(true, 1), 1);
+    // Nobody knows yet what a picture takes.
+    EXPECT_EQ(pace.next(true, 0)->coarseness, 8);
+    pace.took(0.01 / 64);
+    EXPECT_EQ(pace.next(true, 1)->coarseness, 1);
+    EXPECT_FALSE(pace.owes_more());
+    EXPECT_FALSE(pace.next(false, 9));
     pace.took(0.3);
-    EXPECT_EQ(pace.coarseness(true, 2), 3);
-    EXPECT_TRUE(pace.owes_a_fine_picture());
-    pace.took(0.3 / 9);
-    EXPECT_EQ(pace.coarseness(true, 2.1), 3);
-    EXPECT_EQ(pace.coarseness(false, 2.2), 3);
-    EXPECT_EQ(pace.coarseness(false, 2.4), 1);
-    EXPECT_FALSE(pace.owes_a_fine_picture());
-    pace.took(100);
-    EXPECT_EQ(pace.coarseness(true, 3), 4);
+    EXPECT_EQ(pace.next(true, 10)->coarseness, 3);
+    EXPECT_TRUE(pace.owes_more());
+    pace.took(0.09 / 9);
+    EXPECT_EQ(pace.next(true, 10.1)->coarseness, 2);
+    pace.took(0.09 / 4);
+    EXPECT_FALSE(pace.next(false, 10.2));
+    const auto fine = pace.next(false, 10.4);
+    ASSERT_TRUE(fine);
+    EXPECT_EQ(fine->coarseness, 1);
+    EXPECT_EQ(fine->rows.to - fine->rows.from, 1);
+    EXPECT_FALSE(pace.owes_more());
+}
+
+TEST(DrawingPace, DrawsAFinePictureThatTakesLongInParts) {
+    DrawingPace pace;
+    pace.next(true, 0);
+    pace.took(2.0 / 64);
+    double drawn = 0, now = 1;
+    int parts = 0;
+    while (const auto part = pace.next(false, now += 0.1)) {
+        EXPECT_EQ(part->coarseness, 1);
+        EXPECT_EQ(part->rows.from, drawn);
+        drawn = part->rows.to;
+        pace.took(2 * (part->rows.to - part->rows.from));
+        ASSERT_LE(++parts, 30);
+    }
+    EXPECT_EQ(drawn, 1);
+    EXPECT_GE(parts, 15);
+    // It begins anew where the picture changes in between.
+    pace.next(true, 10);
+    pace.took(2.0 / 64);
+    pace.next(false, 11);
+    pace.took(0.1);
+    EXPECT_GT(pace.next(true, 11.1)->coarseness, 1);
+    EXPECT_TRUE(pace.owes_more());
+    pace.took(2.0 / 64);
+    EXPECT_FALSE(pace.next(false, 11.2));
+    EXPECT_EQ(pace.next(false, 11.5)->rows.from, 0);
 }
 
 }  // namespace
