@@ -13,6 +13,9 @@ namespace {
 /// How far apart the planes of neighbours may be, relative to their size.
 constexpr double relative_tolerance = 1e-6;
 
+/// How high over the plane, as a share of a texel, it is looked whether something stands on it.
+constexpr double part_to_lift = 0.1;
+
 bool are_coplanar(const Quad& a, const Quad& b) {
     const Vec3 normal = a.normal();
     const double size = (a.vertex[2] - a.vertex[0]).norm() + (b.vertex[2] - b.vertex[0]).norm();
@@ -34,8 +37,12 @@ Eigen::AlignedBox3d box_of(const Quad& quad) {
 TextureBorders::TextureBorders(const RadianceSpace& space, const TextureAtlas& atlas,
                                const std::function<bool(std::size_t, std::size_t)>& goes_on) {
     std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Element& element : space.elements())
+    std::vector<Quad> quads;
+    for (const Element& element : space.elements()) {
         boxes.push_back(box_of(element.geometry));
+        quads.push_back(element.geometry);
+    }
+    const Visibility visibility(quads);
     for (std::size_t e = 0; e < boxes.size(); ++e) {
         const Quad& quad = space.element(e).geometry;
         const TextureSize& size = atlas.place(e).size;
@@ -46,21 +53,31 @@ TextureBorders::TextureBorders(const RadianceSpace& space, const TextureAtlas& a
             if (other != e && boxes[e].squaredExteriorDistance(boxes[other]) <= reach * reach &&
                 goes_on(e, other) && are_coplanar(quad, space.element(other).geometry))
                 candidates.push_back(other);
-        bordered_.push_back(border_of(space, size, e, candidates));
+        bordered_.push_back(border_of(space, size, e, candidates, visibility));
     }
 }
 
 TextureBorders::Bordered TextureBorders::border_of(const RadianceSpace& space,
                                                    const TextureSize& size, std::size_t e,
-                                                   const std::vector<std::size_t>& candidates) {
+                                                   const std::vector<std::size_t>& candidates,
+                                                   const Visibility& visibility) {
     const Quad& quad = space.element(e).geometry;
+    const auto centre = [&](int column, int row) {
+        return quad.point((column + 0.5) / size.columns, (row + 0.5) / size.rows);
+    };
+    const auto stands_between = [&](const Vec3& inside, const Vec3& outside) {
+        const Vec3 lift = part_to_lift * (outside - inside).norm() * quad.normal();
+        return visibility.occluded(inside + lift, free_point, outside + lift, free_point);
+    };
     Bordered bordered;
     const auto add = [&](int column, int row, int to_column, int to_row) {
         Texel texel{column, row, e, 0, 0, to_column, to_row};
-        const Vec3 point = quad.point((column + 0.5) / size.columns, (row + 0.5) / size.rows);
+        const Vec3 point = centre(column, row);
+        const Vec3 last = centre(column + to_column, row + to_row);
         for (const std::size_t other : candidates) {
             const Vec2 uv = space.element(other).geometry.parameters(point);
             if (!((uv.array() >= 0).all() && (uv.array() <= 1).all())) continue;
+            if (stands_between(last, point)) continue;
             texel.neighbour = other;
             texel.u = uv[0];
             texel.v = uv[1];

@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "radiance4d/basis/radiance_space.h"
+#include "radiance4d/scene/visibility.h"
 #include "runtime/drawing/texture_atlas.h"
 
 namespace lightwell {
 
 /// The borders of textures that lie on elements, one each: they hold the light of coplanar
-/// neighbours, where there are any, so that no edge shows between quads of one wall. Elsewhere a
-/// texture is continued linearly, but not beyond nothing or twice its last texel.
+/// neighbours, where there are any, so that no edge shows between quads of one wall; but not of
+/// those behind another wall that stands on the edge. Elsewhere a texture is continued linearly,
+/// but not beyond nothing or twice its last texel.
 class TextureBorders {
   public:
     /// @param goes_on  whether light goes on from one element to another that is coplanar
@@ -40,7 +42,8 @@ class TextureBorders {
     };
 
     static Bordered border_of(const RadianceSpace& space, const TextureSize& size,
-                              std::size_t element, const std::vector<std::size_t>& candidates);
+                              std::size_t element, const std::vector<std::size_t>& candidates,
+                              const Visibility& visibility);
 
     std::vector<Bordered> bordered_;  ///< by element
 };

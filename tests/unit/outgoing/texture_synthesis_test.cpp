@@ -15,8 +15,9 @@ Quad rectangle(double x, double y, double width, double depth) {
 
 /// Two floors side by side, with 4 x 4 cells of the same size, and a wall at their far end. H has
 /// one coefficient in every row, so that all levels are needed.
-GlobalTransport two_floors(const std::vector<OpenMask>& open = {}) {
-    const Quad wall{{Vec3(0, 1, 0), Vec3(2, 1, 0), Vec3(2, 1, 2), Vec3(0, 1, 2)}};
+GlobalTransport two_floors(const std::vector<OpenMask>& open = {},
+                           const Quad& wall = {
+                               {Vec3(0, 1, 0), Vec3(2, 1, 0), Vec3(2, 1, 2), Vec3(0, 1, 2)}}) {
     std::vector<Element> elements(3);
     elements[0].geometry = rectangle(0, 0, 1, 1);
     elements[1].geometry = rectangle(1, 0, 1, 1);
@@ -128,6 +129,18 @@ TEST(TextureSynthesis, NoEdgeShowsBetweenCoplanarQuads) {
         const Packed right = synthesis.atlas().bilinear(1, 0, v);
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(left[c], right[c], 1e-5F * left[c]) << "at v = " << v;
+    }
+}
+
+TEST(TextureSynthesis, LightDoesNotPassAWallBetweenCoplanarQuads) {
+    const Quad wall{{Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 1, 2), Vec3(1, 0, 2)}};
+    const GlobalTransport transport = two_floors({}, wall);
+    TextureSynthesis synthesis(transport);
+    synthesis.synthesise(
+        field_of(transport.space, [](const Vec3& p) { return p[0] < 1 ? 9.0 : 2.0; }));
+    for (double v = 0.01; v < 1; v += 0.07) {
+        EXPECT_NEAR(synthesis.atlas().bilinear(0, 1, v)[0], 9.0F, 1e-4F) << v;
+        EXPECT_NEAR(synthesis.atlas().bilinear(1, 0, v)[0], 2.0F, 1e-4F) << v;
     }
 }
 
