@@ -23,7 +23,7 @@ Ground::Ground(const Scene& the_scene, OracleCost& cost)
     : scene(the_scene), quads(quads_of(the_scene)), visibility(quads), occluders(quads) {
     constexpr int survey_rays = 256;
     constexpr int least_expected = 48, most_expected = 400, elements_a_light = 8;
-    constexpr int trials = 16, judged = 32;
+    constexpr int trials = 16, judged = 128;
     elements = seeing_elements(scene, blind_sides);
     std::vector<SideSurvey> sides = survey_sides(elements, visibility, survey_rays, cost);
     // Every room of a large building should see some of the lights.

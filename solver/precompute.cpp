@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,7 +18,12 @@ namespace lightwell {
 
 namespace {
 
-/// Surface points a light to judge at: fewer where the albedo makes the judge's paths long.
+/// Lights that the verdict on an operator begins with.
+constexpr std::size_t few_lights = 8;
+
+/// Surface points to judge each of the first lights at: fewer where the albedo makes the judge's
+/// paths long. Further lights are judged at fewer points, since errors differ more from light to
+/// light than from place to place.
 int judged_points(const Scene& scene) {
     double albedo = 0;
     for (const Material& material : scene.materials)
@@ -32,7 +38,9 @@ std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& op
                                std::size_t last, const Progress& progress) {
     EstimateOptions asked;
     asked.noise = std::clamp(options.error, 0.03, 0.05);
+    constexpr int further_points = 64;
     asked.points = judged_points(ground.scene);
+    if (first >= few_lights) asked.points = std::min(asked.points, further_points);
     asked.seed += first;
     const auto place = [&](std::size_t k) {
         return ground.unseen.begin() + static_cast<std::ptrdiff_t>(k);
@@ -67,7 +75,6 @@ struct Pipeline {
     double (*functions)(const Ground&, const PrecomputeOptions&, const Settings&);
     double (*memory)(double functions, double truncation);
     double looseness;      ///< of truncation
-    double link_cost;      ///< in links between diffuse sides
     double worth_preview;  ///< functions from which the work is long
 };
 
@@ -80,15 +87,19 @@ double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const S
 }
 
 constexpr Pipeline diffuse_pipeline = {
-    diffuse_operator, diffuse_settings, tighten, diffuse_functions, memory_for, 1, 1, 8000};
-constexpr Pipeline glossy_pipeline = {glossy_operator,
-                                      glossy_settings,
-                                      tighten_glossy,
-                                      glossy_functions,
-                                      glossy_memory_for,
-                                      glossy_looseness,
-                                      4,
-                                      50000};
+    diffuse_operator, diffuse_settings, tighten, diffuse_functions, memory_for, 1, 8000};
+constexpr Pipeline glossy_pipeline = {
+    glossy_operator,   glossy_settings,  tighten_glossy, glossy_functions,
+    glossy_memory_for, glossy_looseness, 50000};
+
+/// Memory [bytes] to compute an operator of tighter settings than one that came to so many links.
+double memory_for_links(std::uint64_t links, const Settings& settings, const Settings& tighter) {
+    // Measured: 38 to 71 bytes a link, which multiply as the tolerance to the power of -0.4 to
+    // -0.7.
+    constexpr double bytes_a_link = 75, growth = 0.7;
+    return bytes_a_link * static_cast<double>(links) *
+           std::pow(settings.oracle_tolerance / tighter.oracle_tolerance, growth);
+}
 
 /// Operators of one scene, each tighter than the last, and the verdict on the last.
 class Attempts {
@@ -114,13 +125,13 @@ class Attempts {
         if (options_.most_attempts == 0) return 0;
 
         // 6. Is it good enough?
-        constexpr std::size_t few_lights = 8;
         if (judged_.empty()) judge_up_to(few_lights);
-        estimate();
+        estimate_from(0);
         while (is_open(estimate_.interval(), options_.error) &&
                judged_.size() < ground_.unseen.size()) {
-            judge_up_to(2 * judged_.size());
-            estimate();
+            const std::size_t known = judged_.size();
+            judge_up_to(2 * known);
+            estimate_from(known);
         }
         clock_.lap("estimate");
         note(settings);
@@ -141,8 +152,8 @@ class Attempts {
         }
     }
 
-    void estimate() {
-        estimate_ = estimate_error(*last_, ground_.quads, ground_.occluders, judged_, progress_);
+    void estimate_from(std::size_t first) {
+        add_errors(*last_, ground_.quads, ground_.occluders, judged_, first, progress_, estimate_);
     }
 
     void note(const Settings& settings) {
@@ -154,7 +165,7 @@ class Attempts {
         provenance.error_estimated = estimate_.rms();
         provenance.error_bound = estimate_.interval().high;
         if (!estimate_.by_light.empty()) provenance.error_basis = basis_of(judged_);
-        provenance.energy_dropped = estimate_.energy_dropped;
+        provenance.energy_dropped = estimate_.energy_dropped();
         provenance.cell_size = settings.cell_size;
         provenance.oracle_tolerance = settings.oracle_tolerance;
         provenance.truncation = settings.truncation;
@@ -209,21 +220,25 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
         silent.stop_requested = progress.stop_requested;
         attempts.build_and_judge(*preview, silent);
     }
+    double missed_before = std::numeric_limits<double>::infinity();
     for (report.attempts = 1;; ++report.attempts) {
+        // An attempt that was hardly better than the last is not followed by another, which would
+        // cost as much as all of them together.
+        constexpr double hardly_better = 0.95;
         const double missed = attempts.build_and_judge(settings, progress);
-        const bool by_hand = options.cell_size && options.oracle_tolerance && options.truncation;
-        // Counted in links and not in seconds, so that the result is the same on every machine.
-        const bool too_much =
-            pipeline.link_cost * static_cast<double>(attempts.last()->provenance.links) >
-            static_cast<double>(options.most_links / 2);
-        if (missed <= 1 || by_hand || too_much || report.attempts >= options.most_attempts) return;
+        if (missed <= 1 || missed > hardly_better * missed_before ||
+            report.attempts >= options.most_attempts)
+            return;
+        missed_before = missed;
         Settings tighter = settings;
         pipeline.tighten(options, missed, tighter);
+        if (tighter == settings) return;
         // What there is, is better than a failure.
         const double functions = pipeline.functions(ground, options, tighter);
-        if (pipeline.memory(functions, tighter.truncation) >
-            static_cast<double>(options.max_memory))
-            return;
+        const double needed =
+            std::max(pipeline.memory(functions, tighter.truncation),
+                     memory_for_links(attempts.last()->provenance.links, settings, tighter));
+        if (needed > static_cast<double>(options.max_memory)) return;
         settings = tighter;
     }
 }

@@ -28,7 +28,7 @@ struct PrecomputeOptions {
     /// Memory that the computation may take [bytes].
     std::uint64_t max_memory = std::uint64_t{8} << 30;
     /// Operators that may be built; 0 builds one and does not judge it.
-    int most_attempts = 3;
+    int most_attempts = 5;
     /// Whether a coarse operator is built first where the work is long: whoever interrupts it then
     /// has something.
     bool preview = false;
@@ -37,8 +37,6 @@ struct PrecomputeOptions {
     std::optional<Provenance> earlier;
     /// Whether glossy materials are computed as diffuse ones of equal mean albedo.
     bool diffuse = false;
-    /// Links beyond which no further attempt is made: each about doubles them.
-    std::uint64_t most_links = 12'000'000;
 };
 
 /// What it did and cost.

@@ -13,6 +13,11 @@ struct Settings {
     double cell_size = 0;         ///< largest side of a finest cell [m]
     double oracle_tolerance = 0;  ///< see the oracles
     double truncation = 0;        ///< relative error of indirect light from left-out coefficients
+
+    bool operator==(const Settings& other) const {
+        return cell_size == other.cell_size && oracle_tolerance == other.oracle_tolerance &&
+               truncation == other.truncation;
+    }
 };
 
 /// First guesses, from measurements on the sample scenes.
@@ -25,7 +30,8 @@ Settings settings_for(const PrecomputeOptions& options, double distance, std::si
 /// The error that settings are first guesses for, by the truncation that belongs to it.
 double error_guessed_for(const Provenance& provenance);
 
-/// Tightens what is not set by hand after an operator came out `missed` times as wrong as asked.
+/// Tightens what is not set by hand, cells excepted, after an operator came out `missed` times as
+/// wrong as asked.
 void tighten(const PrecomputeOptions& options, double missed, Settings& settings);
 
 /// The oracle that the options name. The references must outlive it.

@@ -59,6 +59,10 @@ double ErrorEstimate::rms() const {
     return by_light.empty() ? 0 : std::sqrt(squares / static_cast<double>(by_light.size()));
 }
 
+double ErrorEstimate::energy_dropped() const {
+    return solved_flux.sum() > 0 ? 1 - stored_flux.sum() / solved_flux.sum() : 0;
+}
+
 Interval ErrorEstimate::interval() const {
     if (by_light.size() < 2) return {rms(), rms(), rms()};
     std::vector<WeighedValue> squares;
@@ -166,23 +170,29 @@ std::string basis_of(const std::vector<JudgedLight>& judged) {
         judged.size(), points);
 }
 
-ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
-                             const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
-                             const Progress& progress) {
-    ErrorEstimate estimate;
-    Rgb stored_flux = Rgb::Zero(), solved_flux = Rgb::Zero();
-    for (const JudgedLight& one : judged) {
+void add_errors(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
+                std::size_t first, const Progress& progress, ErrorEstimate& estimate) {
+    for (std::size_t k = first; k < judged.size(); ++k) {
         progress.check();
+        const JudgedLight& one = judged[k];
         const RadianceField direct =
             projected_lights(transport.space, {one.light}, quads, occluders);
-        stored_flux += total_flux(transport.space, global_light(transport, direct) - direct);
-        solved_flux += total_flux(transport.space, solved_light(transport, direct));
+        estimate.stored_flux +=
+            total_flux(transport.space, global_light(transport, direct) - direct);
+        estimate.solved_flux += total_flux(transport.space, solved_light(transport, direct));
         const Deviation deviation = deviation_from(
             one.truth, shown_at(one.points, transport.space, pictured(transport, direct), quads),
             one.weight);
         if (deviation.reference_rms > 0) estimate.by_light.push_back(deviation.relative_rms);
     }
-    if (solved_flux.sum() > 0) estimate.energy_dropped = 1 - stored_flux.sum() / solved_flux.sum();
+}
+
+ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                             const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
+                             const Progress& progress) {
+    ErrorEstimate estimate;
+    add_errors(transport, quads, occluders, judged, 0, progress, estimate);
     return estimate;
 }
 

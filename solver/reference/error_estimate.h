@@ -77,9 +77,11 @@ struct ErrorEstimate {
     /// By light: relative root mean square over the surface of the indirect illuminance that a
     /// picture shows (the gathered operator, reconstructed smoothly) against the judge.
     std::vector<double> by_light;
-    double energy_dropped =
-        0;  ///< share of the indirect flux that the stored operator lacks against the solved one
+    Rgb stored_flux = Rgb::Zero();  ///< indirect flux [lm] by the stored operator, over the lights
+    Rgb solved_flux = Rgb::Zero();  ///< the same by solving on the bounce operator
 
+    /// Share of the indirect flux that the stored operator lacks against the solved one.
+    double energy_dropped() const;
     /// Root mean square over the lights.
     double rms() const;
     /// The same with the interval of 95 % in which it lies for lamps anywhere (see rms_interval);
@@ -92,7 +94,13 @@ struct ErrorEstimate {
 /// How errors of these lights were obtained, in words: "path tracing of 8 lamps ...".
 std::string basis_of(const std::vector<JudgedLight>& judged);
 
-/// The error of an operator for each of the lights. A light that nothing reflects has none.
+/// Adds the errors of an operator for the lights from `first` on to an estimate that has those of
+/// the lights before. A light that nothing reflects has none.
+void add_errors(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
+                std::size_t first, const Progress& progress, ErrorEstimate& estimate);
+
+/// The error of an operator for each of the lights.
 ErrorEstimate estimate_error(const GlobalTransport& transport, const std::vector<Quad>& quads,
                              const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
                              const Progress& progress);

@@ -297,13 +297,15 @@ TEST(Precompute, MoreMemoryThanAllowedIsToldBeforeTheWork) {
     EXPECT_TRUE(folder.names().empty());
 }
 
-// Attempts take smaller and smaller cells; one that does not fit is not made, and what there is
-// already is kept.
+// Attempts take more and more links; one that does not fit is not made, and what there is already
+// is kept.
 TEST(Precompute, AnAttemptThatDoesNotFitIsNotMade) {
     const ScratchFolder folder;
     const auto report = [&](const Words& more) {
-        Words words = {"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error",
-                       "0.05",       "--oracle-tolerance",        "1",  "--truncation",   "0.2",
+        Words words = {"precompute",   sample_scene("cornell-box"),
+                       "-o",           folder / "x.gto",
+                       "--error",      "0.05",
+                       "--truncation", "0.3",
                        "--json"};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramRun run = lightwell(words);
@@ -311,14 +313,25 @@ TEST(Precompute, AnAttemptThatDoesNotFitIsNotMade) {
         return nlohmann::json::parse(run.out);
     };
     const nlohmann::json first = report({"--attempts", "1"});
-    const nlohmann::json free = report({"--attempts", "3"});
-    ASSERT_GT(free["cells"], first["cells"]) << "no attempt took smaller cells";
+    const nlohmann::json free = report({"--attempts", "2"});
+    ASSERT_GT(free["links"], first["links"]) << "no attempt took more links";
     const int enough = 20500 * first["cells"].get<int>();
-    ASSERT_LT(enough, 20000 * free["cells"].get<int>());
     const nlohmann::json bound =
-        report({"--attempts", "3", "--max-memory", std::to_string(enough)});
-    EXPECT_EQ(bound["cells"], first["cells"]);
+        report({"--attempts", "2", "--max-memory", std::to_string(enough)});
+    EXPECT_EQ(bound["links"], first["links"]);
     EXPECT_LT(bound["attempts"], free["attempts"]);
+}
+
+// What is set by hand stays: with nothing left to tighten there is no second attempt.
+TEST(Precompute, NothingIsComputedAgainWithTheSameSettings) {
+    const ScratchFolder folder;
+    const ProgramRun run =
+        lightwell({"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error",
+                   "0.05", "--truncation", "0.3", "--oracle-tolerance", "0.001", "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const nlohmann::json report = nlohmann::json::parse(run.out);
+    EXPECT_GT(report["error_estimated"], 0.05);
+    EXPECT_EQ(report["attempts"], 1);
 }
 
 // All pairs of cells exchange light by some way: without truncation the operator is dense.
