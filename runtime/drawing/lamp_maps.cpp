@@ -33,6 +33,7 @@ LampMaps::LampMaps(const GlFunctions& gl, const IndexDrawing& quads, int side)
     : gl_(gl),
       quads_(quads),
       side_(side),
+      wanted_side_(side),
       texture_(make_texture(gl)),
       framebuffer_(make_framebuffer(gl)),
       depth_(make_renderbuffer(gl, GL_DEPTH_COMPONENT32F, 3 * side, 2 * side)) {
@@ -42,13 +43,17 @@ LampMaps::LampMaps(const GlFunctions& gl, const IndexDrawing& quads, int side)
 }
 
 void LampMaps::make_room(std::size_t lamps) {
-    if (lamps <= seen_from_.size()) return;
+    // What many lamps needed is given back when few are left.
+    constexpr std::size_t few = 4;
+    const std::size_t room = seen_from_.size();
+    if (lamps <= room && (room <= few || few * lamps >= room)) return;
     const auto most = static_cast<std::size_t>(most_layers_);
     if (lamps > most)
         throw SystemError(fmt::format("OpenGL cannot draw {} lamps, {} at most", lamps, most));
-    seen_from_.assign(std::min(most, std::max(lamps, 2 * seen_from_.size())), std::nullopt);
+    const std::size_t wanted = room == 0 ? lamps : std::max(few, 2 * lamps);
+    seen_from_.assign(std::min(most, wanted), std::nullopt);
     const double texels = most_texels / (6 * static_cast<double>(seen_from_.size()));
-    side_ = std::clamp(static_cast<int>(std::sqrt(texels)), least_side, side_);
+    side_ = std::clamp(static_cast<int>(std::sqrt(texels)), least_side, wanted_side_);
     depth_ = make_renderbuffer(gl_, GL_DEPTH_COMPONENT32F, 3 * side_, 2 * side_);
     gl_.active_texture(GL_TEXTURE0);
     gl_.bind_texture(GL_TEXTURE_2D_ARRAY, texture_.name());

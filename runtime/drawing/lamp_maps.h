@@ -39,7 +39,7 @@ class LampMaps {
 
     const GlFunctions& gl_;
     const IndexDrawing& quads_;
-    int side_;
+    int side_, wanted_side_;
     int most_layers_ = 0;
     std::vector<std::optional<Vec3>> seen_from_;  ///< by layer
     GlObject texture_, framebuffer_, depth_;

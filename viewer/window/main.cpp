@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <malloc.h>
 #include <tbb/global_control.h>
 
 #include "radiance4d/failure.h"
@@ -23,6 +24,15 @@ std::optional<ValueFormat> rows_argument(const std::string& option, const std::s
     if (text == "half") return ValueFormat::half;
     if (text == "byte") return ValueFormat::byte;
     throw InputError(Place{option}, in_quotes(text) + " is not fitting, single, half or byte");
+}
+
+/// Has large buffers return to the system when they are freed: glibc would rather keep them after
+/// a while, in pieces, and a window in which scenes are opened again and again would grow.
+void give_memory_back() {
+#ifdef __GLIBC__
+    constexpr int large = 1 << 18;  // [bytes]
+    mallopt(M_MMAP_THRESHOLD, large);
+#endif
 }
 
 void view(int argc, char** argv) {
@@ -96,6 +106,7 @@ void view(int argc, char** argv) {
 }  // namespace lightwell
 
 int main(int argc, char** argv) {
+    lightwell::give_memory_back();
     lightwell::heed_stop_signals();
     return lightwell::exit_status_of([&] { lightwell::view(argc, argv); });
 }

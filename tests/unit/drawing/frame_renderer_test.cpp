@@ -309,6 +309,16 @@ TEST_F(FrameRendererTest, HundredsOfLampsFindRoom) {
         EXPECT_NEAR(many.rgb[k], one.rgb[k], 0.02F * one.rgb[k] + 0.1F) << k;
 }
 
+TEST_F(FrameRendererTest, AfterManyLampsAFewAreDrawnAsFinelyAsEver) {
+    const TestRoom room;
+    FrameRenderer renderer(room.transport, context_->loader());
+    renderer.set_lights(std::vector<Light>(100, room.lamps[0]));
+    renderer.set_lights(room.lamps);
+    FrameView view;
+    view.picture = Picture::lux;
+    EXPECT_EQ(renderer.linear(room.camera, view, 64, 48).rgb, lux(room, room.lamps, 64, 48).rgb);
+}
+
 TEST_F(FrameRendererTest, HighlightsOfLampsAreExactForEveryLobe) {
     const Lobe lobes[] = {PhongLobe{Rgb(0.5, 0.4, 0.3), 200}, GgxLobe{Rgb(0.5, 0.4, 0.3), 0.15}};
     for (const Lobe& lobe : lobes) {
