@@ -126,7 +126,8 @@ void require_memory(double cells, double needed, double truncated, std::uint64_t
 
 GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& options,
                                  const Settings& settings, const Progress& progress,
-                                 OracleCost& cost, StageClock& clock, PrecomputeReport& report) {
+                                 EarlierWork& earlier, OracleCost& cost, StageClock& clock,
+                                 PrecomputeReport& report) {
     std::vector<Element> elements = with_cells(ground.elements, settings);
     report.blind_sides = ground.blind_sides;
     const double cells = cells_of(elements);
@@ -141,9 +142,12 @@ GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& 
         area += element.area();
     const std::unique_ptr<Oracle> oracle =
         make_oracle(options, settings, ground.quads, ground.visibility, area);
+    if (earlier.cell_size != settings.cell_size) earlier = {settings.cell_size, {}};
+    const bool goes_on = options.oracle == OracleKind::geometric && options.most_attempts > 1;
     OracleCost links_cost;
     std::vector<PairLinks> pairs =
-        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, links_cost);
+        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, links_cost,
+                     goes_on ? &earlier.links : nullptr);
     cost.rays += links_cost.rays;
     report.links_judged += links_cost.links_judged;
     report.link_rays += links_cost.rays;

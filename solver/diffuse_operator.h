@@ -5,6 +5,7 @@
 
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
+#include "solver/earlier_work.h"
 #include "solver/ground.h"
 #include "solver/precompute.h"
 #include "solver/settings.h"
@@ -29,11 +30,14 @@ void require_memory(double cells, double needed, double truncated, std::uint64_t
 /// operator, Neumann series (WRT sections 4.2 to 4.4). All of its provenance is still to be filled
 /// in but links and bounces.
 ///
-/// @param cost  receives the rays
+/// @param earlier  of an operator of no tighter settings: where the cells are the same, links are
+///                 refined on from its; receives what this one leaves, if attempts may follow
+/// @param cost     receives the rays
 /// @throws InputError   if it cannot be computed within options.max_memory; said first
 /// @throws Interrupted  if the progress says so
 GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& options,
                                  const Settings& settings, const Progress& progress,
-                                 OracleCost& cost, StageClock& clock, PrecomputeReport& report);
+                                 EarlierWork& earlier, OracleCost& cost, StageClock& clock,
+                                 PrecomputeReport& report);
 
 }  // namespace lightwell

@@ -74,7 +74,8 @@ double glossy_memory_for(double functions, double truncation) {
 
 GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& options,
                                 const Settings& settings, const Progress& progress,
-                                OracleCost& cost, StageClock& clock, PrecomputeReport& report) {
+                                EarlierWork& /*earlier*/, OracleCost& cost, StageClock& clock,
+                                PrecomputeReport& report) {
     report.blind_sides = ground.blind_sides;
     const double functions = glossy_functions(ground, options, settings);
     require_memory(functions, glossy_memory_for(functions, settings.truncation),

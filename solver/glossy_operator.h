@@ -2,6 +2,7 @@
 
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
+#include "solver/earlier_work.h"
 #include "solver/ground.h"
 #include "solver/precompute.h"
 #include "solver/settings.h"
@@ -34,9 +35,11 @@ double glossy_memory_for(double functions, double truncation);
 /// The operators of a scene with glossy surfaces, whose light is carried by direction, for given
 /// settings: elements with angular functions, directed links, the propagation P, and the global
 /// transport operator H = T + T^2 + ..., T = P R (WRT section 4 in full). The oracle is always the
-/// geometric one. Otherwise as diffuse_operator, memory included.
+/// geometric one. Nothing is carried over from an earlier one, whose cells are wider. Otherwise as
+/// diffuse_operator, memory included.
 GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& options,
                                 const Settings& settings, const Progress& progress,
-                                OracleCost& cost, StageClock& clock, PrecomputeReport& report);
+                                EarlierWork& earlier, OracleCost& cost, StageClock& clock,
+                                PrecomputeReport& report);
 
 }  // namespace lightwell

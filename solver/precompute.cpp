@@ -63,7 +63,7 @@ double missed_by(const ErrorEstimate& estimate, double error) {
 
 /// How an operator is computed: diffuse_operator or glossy_operator.
 using OperatorOf = GlobalTransport (*)(const Ground&, const PrecomputeOptions&, const Settings&,
-                                       const Progress&, OracleCost&, StageClock&,
+                                       const Progress&, EarlierWork&, OracleCost&, StageClock&,
                                        PrecomputeReport&);
 
 /// What scenes without gloss and with it differ in.
@@ -118,7 +118,7 @@ class Attempts {
     /// Builds one, judges it if any are judged, and says by how much it missed its error.
     double build_and_judge(const Settings& settings, const Progress& told) {
         GlobalTransport built =
-            operator_of_(ground_, options_, settings, told, cost_, clock_, report_);
+            operator_of_(ground_, options_, settings, told, earlier_, cost_, clock_, report_);
         last_ = std::move(built);
         estimate_ = {};
         note(settings);
@@ -179,6 +179,7 @@ class Attempts {
     OracleCost& cost_;
     StageClock& clock_;
     PrecomputeReport& report_;
+    EarlierWork earlier_;
     std::optional<GlobalTransport> last_;
     std::vector<JudgedLight> judged_;
     ErrorEstimate estimate_;

@@ -93,12 +93,40 @@ void share(double whole, const LinkGeometry& link, const LinkChildren& children,
     }
 }
 
+/// Leaves those of the occluders that may stand in the shaft.
+void leave_those_that_cut(const Shaft& shaft, const std::vector<Quad>& quads,
+                          std::vector<int>& occluders) {
+    const auto misses = [&](int q) {
+        return !shaft.may_be_cut_by(quads[static_cast<std::size_t>(q)]);
+    };
+    occluders.erase(std::remove_if(occluders.begin(), occluders.end(), misses), occluders.end());
+}
+
 }  // namespace
 
 GeometricOracle::GeometricOracle(const GeometricOracleOptions& options,
                                  const std::vector<Quad>& quads, const Visibility& visibility,
                                  double scene_area)
     : options_(options), quads_(quads), visibility_(visibility), scene_area_(scene_area) {}
+
+void GeometricOracle::strike_out(const LinkGeometry& link, std::vector<int>& occluders) const {
+    if (occluders.empty()) return;
+    const Shaft shaft(link.receiver_facet, link.sender_facet);
+    leave_those_that_cut(shaft, quads_, occluders);
+}
+
+bool GeometricOracle::keeps(const KeptVerdict& earlier) const {
+    const bool partial = earlier.rays > 0;
+    const double allowed = partial ? options_.partial_tolerance : options_.tolerance;
+    if (!earlier.finest && !(earlier.importance < allowed)) return false;
+    return !partial || rays_for(earlier.importance) == earlier.rays;
+}
+
+int GeometricOracle::rays_for(double importance) const {
+    const double excess =
+        std::clamp(importance / std::max(options_.partial_tolerance, 1e-300), 1.0, most_excess);
+    return static_cast<int>(std::lround(options_.rays * excess));
+}
 
 Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occluders,
                                LinkStrata& strata, OracleCost& cost) const {
@@ -107,14 +135,9 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
     // Who stands between?
     if (!occluders.empty()) {
         const Shaft shaft(link.receiver_facet, link.sender_facet);
-        occluders.erase(
-            std::remove_if(
-                occluders.begin(), occluders.end(),
-                [&](int q) { return !shaft.may_be_cut_by(quads_[static_cast<std::size_t>(q)]); }),
-            occluders.end());
+        leave_those_that_cut(shaft, quads_, occluders);
         for (const int q : occluders)
-            if (shaft.is_covered_by(quads_[static_cast<std::size_t>(q)]))
-                return {Verdict::Act::drop, 0};
+            if (shaft.is_covered_by(quads_[static_cast<std::size_t>(q)])) return {};
     }
     const bool partial = !occluders.empty();
 
@@ -128,13 +151,16 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
     const double importance =
         deviation * std::sqrt(area_x * area_y * std::max(area_x, area_y) / scene_area_);
     const double allowed = partial ? options_.partial_tolerance : options_.tolerance;
-    if (!(link.receiver_finest && link.sender_finest)) {
+    const bool finest = link.receiver_finest && link.sender_finest;
+    if (!finest) {
         const double reach_x = link.receiver_facet.reach(), reach_y = link.sender_facet.reach();
         const double distance = (link.sender_facet.centre() - link.receiver_facet.centre()).norm();
         const bool near = distance < options_.near_ratio * (reach_x + reach_y);
         if (near || !(importance < allowed))
-            return {Verdict::Act::refine, near || partial ? refine_by_size(link, reach_x, reach_y)
-                                                          : refine_by_variance(link, variation)};
+            return {Verdict::Act::refine,
+                    near || partial ? refine_by_size(link, reach_x, reach_y)
+                                    : refine_by_variance(link, variation),
+                    {}};
     }
 
     // Keep it: exact exchange where all is clear, times the visible share seen by rays where it is
@@ -145,20 +171,17 @@ Verdict GeometricOracle::judge(const LinkGeometry& link, std::vector<int>& occlu
         for (auto& row : all_seen)
             row.fill(1);
         share(whole, link, children, variation.value, all_seen, strata);
-        return {Verdict::Act::keep, 0};
+        return {Verdict::Act::keep, 0, {importance, 0, finest}};
     }
-    // A finest link that matters more than a link should, but cannot be refined, is sampled more.
-    const double excess = std::clamp(importance / std::max(allowed, 1e-300), 1.0, most_excess);
-    const int rays = static_cast<int>(std::lround(options_.rays * excess));
+    const int rays = rays_for(importance);
     const int strata_count = children.receivers * children.senders;
     const double softening =
         softening_share * std::min(link.receiver_facet.reach(), link.sender_facet.reach());
     const StratifiedSamples samples = sample_strata(
         link, children, (rays + strata_count - 1) / strata_count, softening, visibility_, cost);
-    if (samples.highest == 0) return {Verdict::Act::drop, 0};
-    share(whole, link, children, samples.kernel, samples.seen, strata);
+    if (samples.highest > 0) share(whole, link, children, samples.kernel, samples.seen, strata);
     strata.sampled = true;
-    return {Verdict::Act::keep, 0};
+    return {Verdict::Act::keep, 0, {importance, rays, finest}};
 }
 
 }  // namespace lightwell

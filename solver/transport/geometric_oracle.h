@@ -41,8 +41,14 @@ class GeometricOracle : public Oracle {
     Verdict judge(const LinkGeometry& link, std::vector<int>& occluders, LinkStrata& strata,
                   OracleCost& cost) const override;
     bool needs_occluders() const override { return true; }
+    void strike_out(const LinkGeometry& link, std::vector<int>& occluders) const override;
+    bool keeps(const KeptVerdict& earlier) const override;
 
   private:
+    /// Rays for a kept link of partial visibility: more for a finest one that matters more than a
+    /// link should, but cannot be refined.
+    int rays_for(double importance) const;
+
     GeometricOracleOptions options_;
     const std::vector<Quad>& quads_;
     const Visibility& visibility_;

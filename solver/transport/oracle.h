@@ -6,6 +6,7 @@
 
 #include "solver/transport/facet.h"
 #include "solver/transport/link.h"
+#include "solver/transport/link_records.h"
 
 namespace lightwell {
 
@@ -14,6 +15,7 @@ struct Verdict {
     enum class Act { drop, keep, refine };
     Act act = Act::drop;
     unsigned sub_domains = 0;  ///< which SubDomains to refine
+    KeptVerdict kept;          ///< where it is kept
 };
 
 /// A link with the geometry that judging it needs.
@@ -54,6 +56,12 @@ class Oracle {
                           OracleCost& cost) const = 0;
     /// Whether `occluders` are looked at; without need they are not collected.
     virtual bool needs_occluders() const = 0;
+    /// Strikes out the occluders that judge would strike out before it refines the link.
+    virtual void strike_out(const LinkGeometry& /*link*/, std::vector<int>& /*occluders*/) const {}
+    /// Whether a link that an oracle of this kind, but no tighter tolerance, kept would be kept by
+    /// this one with the same values. Only oracles that refine whatever looser ones refine may say
+    /// so.
+    virtual bool keeps(const KeptVerdict& /*earlier*/) const { return false; }
 };
 
 }  // namespace lightwell

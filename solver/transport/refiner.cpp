@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "radiance4d/failure.h"
+#include "solver/transport/kernel_samples.h"
 #include "solver/transport/shaft.h"
 
 namespace lightwell {
@@ -53,14 +57,65 @@ std::vector<Support> refined(const Support& support, const Element& element, boo
     return result;
 }
 
+/// Steps through a record in the order of its visits.
+class RecordReader {
+  public:
+    explicit RecordReader(const PairRecord& record) : record_(record) {}
+
+    std::uint8_t next_step() { return record_.steps[step_++]; }
+    const KeptVerdict& next_verdict() { return record_.verdicts[verdict_++]; }
+    double next_exchange() { return record_.exchange[exchange_++]; }
+
+  private:
+    const PairRecord& record_;
+    std::size_t step_ = 0, verdict_ = 0, exchange_ = 0;
+};
+
 /// Refines the links of one pair of elements.
 class PairRefiner {
   public:
-    PairRefiner(const std::vector<Element>& elements, const Oracle& oracle, PairLinks& result,
-                OracleCost& cost)
-        : elements_(elements), oracle_(oracle), result_(result), cost_(cost) {}
+    /// @param root  collects the quads that may stand between the whole elements
+    PairRefiner(const std::vector<Element>& elements, const Oracle& oracle,
+                std::function<std::vector<int>()> root, const PairLinks& pair, OracleCost& cost)
+        : elements_(elements), oracle_(oracle), root_(std::move(root)), cost_(cost) {
+        result_.receiver = pair.receiver;
+        result_.sender = pair.sender;
+        record_.sender = pair.sender;
+    }
 
-    void visit(const Link& link, std::vector<int> occluders) {
+    void set_normals(const Vec3& receiver, const Vec3& sender) {
+        receiver_normal_ = receiver;
+        sender_normal_ = sender;
+    }
+
+    void refine() { visit(whole(), root_()); }
+
+    /// The same from what was decided earlier.
+    void go_on_from(const PairRecord& earlier) {
+        RecordReader reader(earlier);
+        revisit(whole(), nullptr, reader);
+    }
+
+    PairLinks take_links() { return std::move(result_); }
+    PairRecord take_record() {
+        record_.steps.shrink_to_fit();
+        record_.verdicts.shrink_to_fit();
+        record_.exchange.shrink_to_fit();
+        return std::move(record_);
+    }
+
+  private:
+    /// A link that was refined, with those of the occluders that stand in its way, found when they
+    /// are asked for.
+    struct Refined {
+        Refined* parent = nullptr;
+        LinkGeometry geometry;
+        std::optional<std::vector<int>> occluders;
+    };
+
+    Link whole() const { return {{result_.receiver, {}, {}}, {result_.sender, {}, {}}}; }
+
+    LinkGeometry geometry_of(const Link& link) const {
         LinkGeometry geometry;
         geometry.link = link;
         geometry.receiver = &elements_[link.receiver.element];
@@ -69,52 +124,100 @@ class PairRefiner {
         geometry.sender_facet.normal = sender_normal_;
         geometry.receiver_finest = geometry.receiver->space.tree().is_finest(link.receiver.space);
         geometry.sender_finest = geometry.sender->space.tree().is_finest(link.sender.space);
-        if (!face_each_other(geometry)) return;
+        return geometry;
+    }
 
+    void visit(const Link& link, std::vector<int> occluders) {
+        LinkGeometry geometry = geometry_of(link);
         LinkStrata strata;
-        const Verdict verdict = oracle_.judge(geometry, occluders, strata, cost_);
-        if (verdict.act == Verdict::Act::drop) return;
-        const unsigned sides =
-            verdict.act == Verdict::Act::keep ? kept_strata(geometry) : verdict.sub_domains;
-        const std::vector<Support> receivers =
-            refined(link.receiver, *geometry.receiver, (sides & receiver_space) != 0,
-                    (sides & receiver_angle) != 0);
+        Verdict verdict;
+        if (face_each_other(geometry)) verdict = oracle_.judge(geometry, occluders, strata, cost_);
+        switch (verdict.act) {
+            case Verdict::Act::drop:
+                record_.steps.push_back(PairRecord::nothing);
+                return;
+            case Verdict::Act::keep:
+                keep(geometry, verdict.kept, strata);
+                return;
+            case Verdict::Act::refine:
+                record_.steps.push_back(static_cast<std::uint8_t>(verdict.sub_domains));
+                for_each_child(geometry, verdict.sub_domains,
+                               [&](const Link& child) { visit(child, occluders); });
+                return;
+        }
+    }
+
+    void revisit(const Link& link, Refined* parent, RecordReader& earlier) {
+        const std::uint8_t step = earlier.next_step();
+        if (step == PairRecord::nothing) {
+            record_.steps.push_back(step);
+            return;
+        }
+        Refined here{parent, geometry_of(link), {}};
+        if (step != PairRecord::kept) {
+            record_.steps.push_back(step);
+            for_each_child(here.geometry, step,
+                           [&](const Link& child) { revisit(child, &here, earlier); });
+            return;
+        }
+        const KeptVerdict& verdict = earlier.next_verdict();
+        LinkStrata strata;
+        strata.sampled = verdict.rays > 0;
+        const LinkChildren children = children_of(here.geometry);
+        for (int i = 0; i < children.receivers; ++i)
+            for (int j = 0; j < children.senders; ++j)
+                strata.exchange[i][j] = earlier.next_exchange();
+        if (oracle_.keeps(verdict))
+            keep(here.geometry, verdict, strata);
+        else
+            visit(link, parent != nullptr ? occluders_of(*parent) : root_());
+    }
+
+    const std::vector<int>& occluders_of(Refined& link) {
+        if (!link.occluders) {
+            link.occluders = link.parent != nullptr ? occluders_of(*link.parent) : root_();
+            face_each_other(link.geometry);
+            oracle_.strike_out(link.geometry, *link.occluders);
+        }
+        return *link.occluders;
+    }
+
+    template <class Act>
+    void for_each_child(const LinkGeometry& geometry, unsigned sides, const Act& act) const {
         const std::vector<Support> senders =
-            refined(link.sender, *geometry.sender, (sides & sender_space) != 0,
+            refined(geometry.link.sender, *geometry.sender, (sides & sender_space) != 0,
                     (sides & sender_angle) != 0);
-        for (std::size_t i = 0; i < receivers.size(); ++i) {
-            for (std::size_t j = 0; j < senders.size(); ++j) {
-                if (verdict.act == Verdict::Act::refine)
-                    visit({receivers[i], senders[j]}, occluders);
-                else if (strata.exchange[i][j] > 0)
-                    record(receivers[i], senders[j], strata.exchange[i][j], strata.sampled);
+        for (const Support& receiver :
+             refined(geometry.link.receiver, *geometry.receiver, (sides & receiver_space) != 0,
+                     (sides & receiver_angle) != 0))
+            for (const Support& sender : senders)
+                act({receiver, sender});
+    }
+
+    void keep(const LinkGeometry& geometry, const KeptVerdict& verdict, const LinkStrata& strata) {
+        record_.steps.push_back(PairRecord::kept);
+        record_.verdicts.push_back(verdict);
+        const LinkChildren children = children_of(geometry);
+        for (int i = 0; i < children.receivers; ++i) {
+            for (int j = 0; j < children.senders; ++j) {
+                const double exchange = strata.exchange[i][j];
+                record_.exchange.push_back(exchange);
+                if (!(exchange > 0)) continue;
+                LinkValue value;
+                value.receiver = geometry.receiver->space.tree().position(children.receiver[i]);
+                value.sender = geometry.sender->space.tree().position(children.sender[j]);
+                value.exchange = exchange;
+                value.sampled = strata.sampled;
+                result_.links.push_back(value);
             }
         }
     }
 
-    void set_normals(const Vec3& receiver, const Vec3& sender) {
-        receiver_normal_ = receiver;
-        sender_normal_ = sender;
-    }
-
-  private:
-    static unsigned kept_strata(const LinkGeometry& geometry) {
-        return (geometry.receiver_finest ? 0U : unsigned{receiver_space}) |
-               (geometry.sender_finest ? 0U : unsigned{sender_space});
-    }
-
-    void record(const Support& receiver, const Support& sender, double exchange, bool sampled) {
-        LinkValue value;
-        value.receiver = elements_[receiver.element].space.tree().position(receiver.space);
-        value.sender = elements_[sender.element].space.tree().position(sender.space);
-        value.exchange = exchange;
-        value.sampled = sampled;
-        result_.links.push_back(value);
-    }
-
     const std::vector<Element>& elements_;
     const Oracle& oracle_;
-    PairLinks& result_;
+    std::function<std::vector<int>()> root_;
+    PairLinks result_;
+    PairRecord record_;
     OracleCost& cost_;
     Vec3 receiver_normal_ = Vec3::Zero();
     Vec3 sender_normal_ = Vec3::Zero();
@@ -147,13 +250,23 @@ bool has_part_in_front(const Quad& quad, const Vec3& n, const Vec3& on_plane, do
     return false;
 }
 
+/// What was decided earlier about a pair; null where nothing was kept.
+const PairRecord* record_of(const std::vector<PairRecord>& by_sender, std::uint32_t sender) {
+    const auto found = std::lower_bound(
+        by_sender.begin(), by_sender.end(), sender,
+        [](const PairRecord& record, std::uint32_t wanted) { return record.sender < wanted; });
+    return found != by_sender.end() && found->sender == sender ? &*found : nullptr;
+}
+
 }  // namespace
 
 std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
                                     const std::vector<Quad>& quads, const OccluderTree& tree,
                                     const Oracle& oracle, const Progress& progress,
-                                    OracleCost& cost) {
+                                    OracleCost& cost, LinkRecords* records) {
     const std::size_t n = elements.size();
+    const bool goes_on = records != nullptr && !records->empty();
+    LIGHTWELL_CHECK(!goes_on || records->by_receiver.size() == n);
     std::vector<Vec3> normal(n);
     std::vector<double> tolerance(n);
     std::vector<char> buried(n);
@@ -165,9 +278,12 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
 
     std::vector<std::vector<PairLinks>> by_receiver(n);
     std::vector<OracleCost> cost_by_receiver(n);
+    if (records != nullptr) records->by_receiver.resize(n);
     std::atomic<std::size_t> finished{0};
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
         progress.check();
+        std::vector<PairRecord> earlier_ones, decided;
+        if (goes_on) earlier_ones = std::move(records->by_receiver[i]);
         for (std::size_t j = i + 1; j < n; ++j) {
             if (buried[i] || buried[j]) continue;
             const Element& x = elements[i];
@@ -175,15 +291,27 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
             if (!has_part_in_front(x.geometry, normal[j], y.geometry.vertex[0], tolerance[i]) ||
                 !has_part_in_front(y.geometry, normal[i], x.geometry.vertex[0], tolerance[j]))
                 continue;
-            std::vector<int> occluders;
-            if (oracle.needs_occluders())
-                occluders = occluders_between(x, normal[i], y, normal[j], quads, tree);
-            PairLinks pair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), {}};
-            PairRefiner refiner(elements, oracle, pair, cost_by_receiver[i]);
+            const PairLinks pair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), {}};
+            const PairRecord* earlier = goes_on ? record_of(earlier_ones, pair.sender) : nullptr;
+            if (goes_on && earlier == nullptr) continue;
+            const auto occluders = [&] {
+                return oracle.needs_occluders()
+                           ? occluders_between(x, normal[i], y, normal[j], quads, tree)
+                           : std::vector<int>();
+            };
+            PairRefiner refiner(elements, oracle, occluders, pair, cost_by_receiver[i]);
             refiner.set_normals(normal[i], normal[j]);
-            refiner.visit({{pair.receiver, {}, {}}, {pair.sender, {}, {}}}, std::move(occluders));
-            if (!pair.links.empty()) by_receiver[i].push_back(std::move(pair));
+            if (earlier != nullptr)
+                refiner.go_on_from(*earlier);
+            else
+                refiner.refine();
+            PairRecord record = refiner.take_record();
+            if (records != nullptr && !record.verdicts.empty())
+                decided.push_back(std::move(record));
+            PairLinks links = refiner.take_links();
+            if (!links.links.empty()) by_receiver[i].push_back(std::move(links));
         }
+        if (records != nullptr) records->by_receiver[i] = std::move(decided);
         progress.say("links", static_cast<double>(++finished) / static_cast<double>(n));
     });
 

@@ -15,11 +15,14 @@ namespace lightwell {
 ///
 /// @param quads    the scene's quads, by Element::quad: who may stand between
 /// @param tree     over the same quads
+/// @param records  not empty: what was decided for the same elements by the same kind of oracle, of
+///                 no tighter tolerance, to go on from. They receive what is decided now, and are
+///                 of no use after an exception
 /// @return the links of all pairs that have any, ordered by receiver, then sender
 /// @throws Interrupted if the progress says so
 std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
                                     const std::vector<Quad>& quads, const OccluderTree& tree,
                                     const Oracle& oracle, const Progress& progress,
-                                    OracleCost& cost);
+                                    OracleCost& cost, LinkRecords* records = nullptr);
 
 }  // namespace lightwell

@@ -15,7 +15,7 @@ Verdict VariationOracle::judge(const LinkGeometry& link, std::vector<int>& /*occ
     const int strata_count = children.receivers * children.senders;
     const StratifiedSamples samples = sample_strata(
         link, children, (options_.samples + strata_count - 1) / strata_count, 0, visibility_, cost);
-    if (samples.highest == 0) return {Verdict::Act::drop, 0};
+    if (samples.highest == 0) return {};
 
     const double spread = samples.highest - samples.lowest;
     const double area_x = link.receiver->space.area(link.link.receiver.space);
@@ -24,7 +24,7 @@ Verdict VariationOracle::judge(const LinkGeometry& link, std::vector<int>& /*occ
     if (!link.sender_finest && spread * area_y > options_.sender_threshold) sides |= sender_space;
     if (!link.receiver_finest && spread * area_x > options_.receiver_threshold)
         sides |= receiver_space;
-    if (sides != 0) return {Verdict::Act::refine, sides};
+    if (sides != 0) return {Verdict::Act::refine, sides, {}};
 
     const OpenShares open = open_shares(link, children);
     for (int i = 0; i < children.receivers; ++i)
@@ -34,7 +34,7 @@ Verdict VariationOracle::judge(const LinkGeometry& link, std::vector<int>& /*occ
                                     open.receiver[i] *
                                     link.sender->cell(children.sender[j]).area() * open.sender[j];
     strata.sampled = true;
-    return {Verdict::Act::keep, 0};
+    return {Verdict::Act::keep, 0, {}};
 }
 
 }  // namespace lightwell

@@ -29,11 +29,11 @@ class LotOracle : public Oracle {
         unsigned sides = bits() % 4 == 0 ? 0 : bits() & (receiver_space | sender_space);
         if (link.receiver_finest) sides &= ~unsigned{receiver_space};
         if (link.sender_finest) sides &= ~unsigned{sender_space};
-        if (sides != 0) return {Verdict::Act::refine, sides};
+        if (sides != 0) return {Verdict::Act::refine, sides, {}};
         for (auto& row : strata.exchange)
             row.fill(1);
         strata.sampled = bits() % 2 == 0;
-        return {Verdict::Act::keep, 0};
+        return {Verdict::Act::keep, 0, {}};
     }
     bool needs_occluders() const override { return false; }
 

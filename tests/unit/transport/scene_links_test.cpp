@@ -21,10 +21,12 @@ struct Linked {
     std::vector<Element> elements;
     std::vector<bool> closed;
     std::vector<PairLinks> pairs;
-    OracleCost cost;
+    OracleCost cost;       ///< all
+    OracleCost link_cost;  ///< that of the links alone
 };
 
-Linked linked(const Scene& scene, double cell_size, double tolerance) {
+Linked linked(const Scene& scene, double cell_size, double tolerance,
+              LinkRecords* records = nullptr) {
     std::vector<Quad> quads;
     for (const SceneQuad& q : scene.quads)
         quads.push_back(q.quad);
@@ -44,7 +46,10 @@ Linked linked(const Scene& scene, double cell_size, double tolerance) {
     options.tolerance = tolerance;
     options.partial_tolerance = 2 * tolerance;
     const GeometricOracle oracle(options, quads, visibility, area);
-    result.pairs = refine_links(result.elements, quads, tree, oracle, {}, result.cost);
+    result.pairs =
+        refine_links(result.elements, quads, tree, oracle, {}, result.link_cost, records);
+    result.cost.rays += result.link_cost.rays;
+    result.cost.links_judged += result.link_cost.links_judged;
     return result;
 }
 
@@ -59,6 +64,52 @@ double largest_gap(const Linked& scene) {
         for (const double row : rows)
             largest = std::max(largest, std::abs(row - 1));
     return largest;
+}
+
+void expect_same(const std::vector<PairLinks>& a, const std::vector<PairLinks>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t p = 0; p < a.size(); ++p) {
+        ASSERT_EQ(a[p].receiver, b[p].receiver);
+        ASSERT_EQ(a[p].sender, b[p].sender);
+        ASSERT_EQ(a[p].links.size(), b[p].links.size());
+        for (std::size_t k = 0; k < a[p].links.size(); ++k) {
+            EXPECT_EQ(a[p].links[k].receiver, b[p].links[k].receiver);
+            EXPECT_EQ(a[p].links[k].sender, b[p].links[k].sender);
+            EXPECT_EQ(a[p].links[k].exchange, b[p].links[k].exchange);
+            EXPECT_EQ(a[p].links[k].sampled, b[p].links[k].sampled);
+        }
+    }
+}
+
+// The obvious way, from the start, beside the one that goes on: the same to the last bit, for less.
+TEST(LinkRecords, LeadToTheLinksOfARefinementFromTheStart) {
+    for (const char* name : {"cornell-box", "two-rooms", "maze"}) {
+        SCOPED_TRACE(name);
+        const Scene scene = sample_scene(name);
+        const double cell_size = std::string(name) == "maze" ? 1.2 : 0.4;
+        LinkRecords records;
+        for (const double tolerance : {1e-3, 3e-4, 2.9e-4, 8e-5}) {
+            SCOPED_TRACE(tolerance);
+            const bool first = records.empty();
+            const Linked gone_on = linked(scene, cell_size, tolerance, &records);
+            const Linked from_the_start = linked(scene, cell_size, tolerance);
+            expect_same(gone_on.pairs, from_the_start.pairs);
+            if (first) continue;
+            EXPECT_LT(gone_on.link_cost.links_judged, from_the_start.link_cost.links_judged);
+            EXPECT_LE(gone_on.link_cost.rays, from_the_start.link_cost.rays);
+        }
+    }
+}
+
+TEST(LinkRecords, CostNothingWhereNothingChanges) {
+    const Scene scene = sample_scene("cornell-box");
+    LinkRecords records;
+    const Linked once = linked(scene, 0.5, 1e-4, &records);
+    const Linked again = linked(scene, 0.5, 1e-4, &records);
+    expect_same(once.pairs, again.pairs);
+    EXPECT_GT(once.link_cost.rays, 0U);
+    EXPECT_EQ(again.link_cost.rays, 0U);
+    EXPECT_EQ(again.link_cost.links_judged, 0U);
 }
 
 TEST(Closure, MakesTheRowsOfAFurnaceSumToOne) {
