@@ -2,22 +2,12 @@
 
 #include <algorithm>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reference/random_lights.h"
 #include "solver/transport/elements.h"
 #include "solver/transport/survey.h"
 
 namespace lightwell {
-
-namespace {
-
-std::vector<Quad> quads_of(const Scene& scene) {
-    std::vector<Quad> quads;
-    for (const SceneQuad& q : scene.quads)
-        quads.push_back(q.quad);
-    return quads;
-}
-
-}  // namespace
 
 Ground::Ground(const Scene& the_scene, OracleCost& cost)
     : scene(the_scene), quads(quads_of(the_scene)), visibility(quads), occluders(quads) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reading/welded_quads.h"
 
 namespace lightwell {
@@ -45,9 +46,7 @@ class Twins {
 
 int leave_out_copies(std::vector<SceneQuad>& quads, std::vector<Material>& materials,
                      const std::string& file, std::vector<Warning>& warnings) {
-    std::vector<Quad> places;
-    for (const SceneQuad& quad : quads)
-        places.push_back(quad.quad);
+    const std::vector<Quad> places = quads_of(quads);
     const WeldedQuads welded = weld(places);
 
     std::map<std::array<int, 4>, std::size_t> first;  // of sorted corners

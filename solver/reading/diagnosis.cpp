@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reading/box_tree.h"
 #include "solver/reading/quad_contact.h"
 #include "solver/reading/reading_report.h"
@@ -75,13 +76,6 @@ class Examiner {
 
   private:
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-    static std::vector<Quad> quads_of(const Scene& scene) {
-        std::vector<Quad> quads;
-        for (const SceneQuad& quad : scene.quads)
-            quads.push_back(quad.quad);
-        return quads;
-    }
 
     std::vector<Box> boxes() const {
         const Vec3 margin = Vec3::Constant(welded_.tolerance);

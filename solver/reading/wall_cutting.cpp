@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reading/polygon_shape.h"
 #include "solver/reading/wall_contacts.h"
 #include "solver/reading/welded_quads.h"
@@ -239,9 +240,7 @@ class QuadCutter {
 }  // namespace
 
 CutAlongWalls cut_along_walls(const std::vector<SceneQuad>& quads, const WallCutRule& rule) {
-    std::vector<Quad> shapes;
-    for (const SceneQuad& quad : quads)
-        shapes.push_back(quad.quad);
+    const std::vector<Quad> shapes = quads_of(quads);
     const double tolerance = weld(shapes).tolerance;
     const WallContacts contacts(shapes, tolerance);
     double area = 0;

@@ -9,6 +9,7 @@
 
 #include "radiance4d/operator/smooth_irradiance.h"
 #include "radiance4d/scene/occluder_tree.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "runtime/outgoing/final_gather.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/precompute.h"
@@ -59,9 +60,7 @@ void measure_thousand(benchmark::State& state, const std::string& name) {
     options.most_attempts = 0;
     PrecomputeReport report;
     const GlobalTransport transport = precompute(scene, options, {}, report);
-    std::vector<Quad> quads;
-    for (const SceneQuad& quad : scene.quads)
-        quads.push_back(quad.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     const Visibility visibility(quads);
     const OccluderTree occluders(quads);
     const std::vector<SurfacePoint> points =

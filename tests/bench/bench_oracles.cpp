@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "radiance4d/scene/occluder_tree.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
 #include "solver/reference/error_estimate.h"
@@ -105,13 +106,6 @@ class Comparison {
         for (Material& material : scene.materials)
             material.emission.setZero();
         return scene;
-    }
-
-    static std::vector<Quad> quads_of(const Scene& scene) {
-        std::vector<Quad> quads;
-        for (const SceneQuad& quad : scene.quads)
-            quads.push_back(quad.quad);
-        return quads;
     }
 
     void judge(const GlobalTransport& transport) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "radiance4d/operator/operator_file.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
 
@@ -33,9 +34,7 @@ Made made(const std::string& name) {
                                {}, report);
         seconds = std::chrono::duration<double>(Clock::now() - start).count();
     }
-    std::vector<Quad> quads;
-    for (const SceneQuad& quad : transport.scene.quads)
-        quads.push_back(quad.quad);
+    std::vector<Quad> quads = quads_of(transport.scene);
     OccluderTree occluders(quads);
     return {{std::move(transport), std::move(quads), std::move(occluders)}, seconds};
 }

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "radiance4d/scene/visibility.h"
 #include "solver/reading/scene_reader.h"
 #include "tests/bench/counted_runs.h"
@@ -23,11 +24,8 @@ struct Segment {
 };
 
 std::vector<Quad> quads_of(const std::string& scene) {
-    std::vector<Quad> quads;
     const std::string folder = std::string(LIGHTWELL_SCENES) + "/" + scene;
-    for (const SceneQuad& quad : read_scene(folder + "/scene.toml").scene.quads)
-        quads.push_back(quad.quad);
-    return quads;
+    return quads_of(read_scene(folder + "/scene.toml").scene);
 }
 
 /// Segments between random points of quads that face each other: what transport asks about.

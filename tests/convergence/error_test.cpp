@@ -1,6 +1,7 @@
 // The error that a picture shows falls with the error asked for, as path tracing sees it.
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
 #include "solver/reference/error_estimate.h"
@@ -11,9 +12,7 @@ namespace {
 
 TEST(Convergence, ErrorFallsWithTheErrorAskedFor) {
     const Scene scene = read_scene(std::string(LIGHTWELL_SCENES) + "/cornell-box/scene.toml").scene;
-    std::vector<Quad> quads;
-    for (const SceneQuad& q : scene.quads)
-        quads.push_back(q.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     const Visibility visibility(quads);
     const OccluderTree occluders(quads);
     std::vector<Vec3> positions;

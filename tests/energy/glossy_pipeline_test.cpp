@@ -10,6 +10,7 @@
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/occluder_tree.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/glossy_operator.h"
 #include "solver/precompute.h"
 #include "solver/radiance_bounce.h"
@@ -145,9 +146,7 @@ class GlossyPipeline : public ::testing::TestWithParam<Lobe> {};
 TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
     const Scene scene = room_with_floor(GetParam(), 0.1);
     const GlobalTransport transport = computed(scene);
-    std::vector<Quad> quads;
-    for (const SceneQuad& q : scene.quads)
-        quads.push_back(q.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     const OccluderTree occluders(quads);
     const PointLight lamp = lamp_at({2.3, 1.0, 1.8});
     const RadianceField direct = projected_lights(transport.space, {lamp}, quads, occluders);

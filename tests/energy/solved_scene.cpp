@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/precompute.h"
 
 namespace lightwell::testing {
@@ -38,9 +39,7 @@ SolvedScene solved_scene(const Scene& scene, const std::vector<Light>& lights, d
     PrecomputeReport report;
     SolvedScene solved;
     solved.transport = precompute(scene, options, {}, report);
-    std::vector<Quad> quads;
-    for (const SceneQuad& q : scene.quads)
-        quads.push_back(q.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     solved.lighting =
         light_scene(solved.transport, lights, quads, OccluderTree(quads), Propagation::solved);
     return solved;

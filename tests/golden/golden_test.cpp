@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "runtime/frame.h"
 #include "runtime/projection/shadow_projection.h"
 #include "solver/precompute.h"
@@ -66,9 +67,7 @@ const GoldenRoom& golden_room(bool is_polished) {
         options.most_attempts = 0;
         PrecomputeReport report;
         GlobalTransport transport = precompute(scene, options, {}, report);
-        std::vector<Quad> quads;
-        for (const SceneQuad& quad : transport.scene.quads)
-            quads.push_back(quad.quad);
+        std::vector<Quad> quads = quads_of(transport.scene);
         OccluderTree occluders(quads);
         SpotLight spot;
         spot.name = "spot";

@@ -4,19 +4,13 @@
 
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/brdf.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reference/deviation.h"
 #include "solver/reference/random_lights.h"
 
 namespace lightwell {
 
 namespace {
-
-std::vector<Quad> quads_of(const Scene& scene) {
-    std::vector<Quad> quads;
-    for (const SceneQuad& one : scene.quads)
-        quads.push_back(one.quad);
-    return quads;
-}
 
 Scene diffuse_and_dark(const Scene& of) {
     Scene scene = without_emission(of);

@@ -3,15 +3,13 @@
 #include <utility>
 
 #include "radiance4d/operator/operator_file.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reading/scene_reader.h"
 
 namespace lightwell {
 
 OpenedOperator opened(GlobalTransport transport) {
-    std::vector<Quad> quads;
-    quads.reserve(transport.scene.quads.size());
-    for (const SceneQuad& quad : transport.scene.quads)
-        quads.push_back(quad.quad);
+    std::vector<Quad> quads = quads_of(transport.scene);
     Visibility visibility(quads);
     OccluderTree occluders(quads);
     return {std::move(transport), std::move(quads), std::move(visibility), std::move(occluders)};

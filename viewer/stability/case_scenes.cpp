@@ -68,13 +68,6 @@ Scene moved(Scene scene, const Eigen::Affine3d& by) {
     return scene;
 }
 
-std::vector<Quad> quads_of(const Scene& scene) {
-    std::vector<Quad> quads;
-    for (const SceneQuad& one : scene.quads)
-        quads.push_back(one.quad);
-    return quads;
-}
-
 PointLight lamp(const Vec3& position, double candela) {
     return {"lamp", position, Rgb::Constant(candela)};
 }

@@ -40,8 +40,6 @@ void make_furnace(Scene& scene);
 /// The scene turned, scaled and moved.
 Scene moved(Scene scene, const Eigen::Affine3d& by);
 
-std::vector<Quad> quads_of(const Scene& scene);
-
 PointLight lamp(const Vec3& position, double candela = 1000);
 
 }  // namespace lightwell::stability

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "radiance4d/basis/direction_map.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "viewer/stability/case_scenes.h"
 #include "viewer/stability/closed_forms.h"
 #include "viewer/stability/emitting_scene.h"

@@ -1,6 +1,7 @@
 #include "viewer/stability/emitting_scene.h"
 
 #include "radiance4d/scene/direct_light.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "viewer/stability/case_scenes.h"
 
 namespace lightwell::stability {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiance4d/operator/smooth_irradiance.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "runtime/outgoing/final_gather.h"
 #include "viewer/stability/case_scenes.h"
 

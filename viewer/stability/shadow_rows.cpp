@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/transport/shaft.h"
 #include "viewer/stability/case_scenes.h"
 #include "viewer/stability/closed_forms.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "runtime/projection/shadow_projection.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/precompute.h"
@@ -101,9 +102,7 @@ TEST(Frame, NorDoesOneInWhichLampAndEyeMovePastAGlossyFloor) {
     options.most_attempts = 0;
     PrecomputeReport report;
     const GlobalTransport transport = precompute(scene, options, {}, report);
-    std::vector<Quad> quads;
-    for (const SceneQuad& quad : scene.quads)
-        quads.push_back(quad.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     const OccluderTree occluders(quads);
     Frame frame(transport, std::make_unique<ShadowProjection>(transport.space, quads, occluders));
     ASSERT_TRUE(frame.is_glossy());

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "radiance4d/operator/light_projection.h"
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/precompute.h"
 #include "tests/unit/reference/rooms.h"
 
@@ -24,9 +25,7 @@ const ColouredRoom& coloured_room() {
         options.most_attempts = 0;
         PrecomputeReport report;
         GlobalTransport transport = precompute(scene, options, {}, report);
-        std::vector<Quad> quads;
-        for (const SceneQuad& quad : scene.quads)
-            quads.push_back(quad.quad);
+        std::vector<Quad> quads = quads_of(scene);
         OccluderTree occluders(quads);
         return ColouredRoom{std::move(transport), std::move(quads), std::move(occluders)};
     }();

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reading/scene_reader.h"
 #include "solver/reference/path_tracer.h"
 
@@ -117,9 +118,7 @@ TEST_P(SampleScenes, ThePathTracerFindsTheExpectedNumbers) {
     const std::vector<Expectation> expected = expectations(GetParam(), scene);
     ASSERT_GE(expected.size(), 5u);
 
-    std::vector<Quad> quads;
-    for (const SceneQuad& quad : scene.quads)
-        quads.push_back(quad.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     const Visibility visibility(quads);
     const PathTracer tracer(scene, visibility, scene.lights);
     std::vector<SurfacePoint> sensors;

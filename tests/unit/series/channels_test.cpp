@@ -1,6 +1,7 @@
 // Colours share an operator where their reflectances are the same, and never mix.
 #include <gtest/gtest.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "runtime/propagation/lighting.h"
 #include "solver/precompute.h"
 #include "tests/unit/reference/rooms.h"
@@ -29,9 +30,7 @@ GlobalTransport transport_of(const Scene& scene, bool exact = false) {
 }
 
 Lighting two_lights(const GlobalTransport& transport, Propagation propagation) {
-    std::vector<Quad> quads;
-    for (const SceneQuad& q : transport.scene.quads)
-        quads.push_back(q.quad);
+    const std::vector<Quad> quads = quads_of(transport.scene);
     return light_scene(
         transport, {lamp_at({1.5, 2, 2}, {1000, 0, 500}), lamp_at({4.5, 1.5, 1.8}, {0, 1000, 500})},
         quads, OccluderTree(quads), propagation);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "radiance4d/scene/scene_quads.h"
 #include "solver/reading/scene_reader.h"
 #include "solver/transport/closure.h"
 #include "solver/transport/direct_transport.h"
@@ -27,9 +28,7 @@ struct Linked {
 
 Linked linked(const Scene& scene, double cell_size, double tolerance,
               LinkRecords* records = nullptr) {
-    std::vector<Quad> quads;
-    for (const SceneQuad& q : scene.quads)
-        quads.push_back(q.quad);
+    const std::vector<Quad> quads = quads_of(scene);
     const Visibility visibility(quads);
     const OccluderTree tree(quads);
     Linked result;
