@@ -1,7 +1,6 @@
 #include "runtime/projection/shadow_projection.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -10,6 +9,7 @@
 
 #include "radiance4d/scene/visibility.h"
 #include "runtime/projection/directed_cells.h"
+#include "runtime/projection/edge_shares.h"
 #include "runtime/projection/light_kernel.h"
 #include "runtime/projection/shadow_planes.h"
 
@@ -21,11 +21,7 @@ namespace {
 /// roundings of its coordinates.
 constexpr double relative_tolerance = 2e-6;
 
-/// A cell that a single edge runs through is cut along it exactly, if it is so small a share of its
-/// distance that the middle of a piece speaks for the piece.
-constexpr float largest_share_to_cut = 0.2F;
-
-constexpr int fewest_cuts = 3, most_cuts = 6;
+constexpr int fewest_cuts = 3, most_cuts = EdgeShares::most_cuts;
 
 /// How often cells that several edges run through must be cut in four for a given error of their
 /// visible share: the quarters that still hold several shrink along the edges at best by half.
@@ -62,7 +58,8 @@ class ShadowProjection::ElementVisit {
         : cells_(cells),
           kernel_(kernel),
           scratch_(scratch),
-          tolerance_(static_cast<float>(relative_tolerance * cells.extent())) {
+          tolerance_(static_cast<float>(relative_tolerance * cells.extent())),
+          shares_(cells, kernel, scratch.planes, tolerance_, scratch.report.rays) {
         intensity_.head<3>() = intensity.cast<float>();
     }
 
@@ -78,7 +75,7 @@ class ShadowProjection::ElementVisit {
         double uncertain = 0;
         for (const Scratch::EdgeCell& edge : scratch_.edge_cells) {
             const std::uint64_t rays_before = scratch_.report.rays;
-            const Share share = visible_share(edge, 0);
+            const EdgeShares::Share share = visible_share(edge, 0);
             if (scratch_.report.rays == rays_before) {
                 add_share(edge, share);
             } else {
@@ -93,13 +90,6 @@ class ShadowProjection::ElementVisit {
     }
 
   private:
-    /// Flux on a part of a cell, up to a common factor: what gets through, and all of it.
-    struct Share {
-        float visible = 0, whole = 0;
-
-        float ratio() const { return visible > 0 ? std::min(1.0F, visible / whole) : 0; }
-    };
-
     void add(std::uint32_t finest, float unit_flux) {
         scratch_.flux.col(finest) += unit_flux * intensity_;
     }
@@ -150,94 +140,24 @@ class ShadowProjection::ElementVisit {
         scratch_.edge_cells.push_back({finest, first, scratch_.edge_shadows.size(), unoccluded});
     }
 
-    Share visible_share(const Scratch::EdgeCell& edge, int cuts) {
+    EdgeShares::Share visible_share(const Scratch::EdgeCell& edge, int cuts) {
         const std::uint32_t position =
             cells_.tree().position({cells_.tree().levels(), edge.finest});
-        return visible_share(cells_.corners(position), scratch_.edge_shadows.data() + edge.begin,
-                             scratch_.edge_shadows.data() + edge.end, cuts, most_cuts);
+        return shares_.of(cells_.corners(position), scratch_.edge_shadows.data() + edge.begin,
+                          scratch_.edge_shadows.data() + edge.end, cuts);
     }
 
-    void add_share(const Scratch::EdgeCell& edge, const Share& share) {
+    void add_share(const Scratch::EdgeCell& edge, const EdgeShares::Share& share) {
         const float flux = edge.unoccluded * share.ratio();
         lit_ += static_cast<double>(flux);
         add(edge.finest, flux);
-    }
-
-    /// What gets through to a part of a cell past the shadows listed, after at most `cuts` cuts in
-    /// four for the sake of edges and `more` for the sake of nearness.
-    Share visible_share(const FourPoints& corners, const std::uint32_t* begin,
-                        const std::uint32_t* end, int cuts, int more) {
-        ShadowEdges edges;
-        for (const std::uint32_t* k = begin; k != end; ++k) {
-            std::array<Straddle, ShadowPlanes::most_planes> found;
-            Cover cover = Cover::none;
-            const int count =
-                scratch_.planes[*k].straddling(corners, tolerance_, cover, found.data());
-            if (cover == Cover::all) return {0, whole(corners)};
-            if (cover == Cover::part) edges.add(found.data(), count);
-        }
-        if (edges.is_closed()) return {0, whole(corners)};
-        if (edges.are_none()) {
-            const float all = whole(corners);
-            return {all, all};
-        }
-        const bool is_small =
-            kernel_.is_smooth(corners, squared_size(corners), largest_share_to_cut);
-        if (edges.is_one() && (is_small || more == 0)) return cut(corners, edges.first());
-        if (!edges.is_one() && cuts == 0) return sampled(corners, begin, end);
-        Share sum;
-        for (int q = 0; q < 4; ++q) {
-            const Share part = edges.is_one()
-                                   ? visible_share(quarter(corners, q), begin, end, cuts, more - 1)
-                                   : visible_share(quarter(corners, q), begin, end, cuts - 1, more);
-            sum.visible += part.visible;
-            sum.whole += part.whole;
-        }
-        return sum;
-    }
-
-    Share cut(const FourPoints& corners, const Straddle& straddle) const {
-        const OuterPart outer = outer_part(corners, straddle.height);
-        const float all = whole(corners);
-        if (!(outer.share > 0)) return {0, all};
-        const Eigen::Vector3f middle = centroid(corners);
-        FourPoints points;
-        points.x << outer.centroid[0], middle[0], middle[0], middle[0];
-        points.y << outer.centroid[1], middle[1], middle[1], middle[1];
-        points.z << outer.centroid[2], middle[2], middle[2], middle[2];
-        const Eigen::Array4f light = kernel_.at(points);
-        if (!(light[1] > 0)) return {all * outer.share, all};
-        return {std::min(all, all * outer.share * light[0] / light[1]), all};
-    }
-
-    /// Four rays.
-    Share sampled(const FourPoints& corners, const std::uint32_t* begin, const std::uint32_t* end) {
-        const FourPoints points = quarter_centres(corners);
-        Eigen::Array4f open = Eigen::Array4f::Ones();
-        for (const std::uint32_t* k = begin; k != end; ++k)
-            open = (1.0F - scratch_.planes[*k].hides(points)).min(open);
-        scratch_.report.rays += 4;
-        const Eigen::Array4f light = kernel_.at(points);
-        const float all = whole(corners), sum = light.sum();
-        if (!(sum > 0)) return {0, all};
-        return {all * (light * open).sum() / sum, all};
-    }
-
-    float whole(const FourPoints& corners) const {
-        if (!kernel_.is_smooth(corners, squared_size(corners))) {
-            Quad quad;
-            for (int k = 0; k < 4; ++k)
-                quad.vertex[static_cast<std::size_t>(k)] =
-                    corners[k].cast<double>() + cells_.centre();
-            return kernel_.exact_flux(quad);
-        }
-        return 0.25F * area(corners) * kernel_.at(quarter_centres(corners)).sum();
     }
 
     const ElementCells& cells_;
     const LightKernel& kernel_;
     Scratch& scratch_;
     float tolerance_;
+    EdgeShares shares_;
     Packed intensity_ = Packed::Zero();
     double lit_ = 0;  ///< flux on cells that see all of the lamp, for 1 cd [lm]
 };

@@ -59,6 +59,8 @@ TEST(Window, HelpNeedsNoDisplay) {
     EXPECT_NE(run.out.find("--replay"), std::string::npos);
     EXPECT_EQ(lightwell({"view"}).status, 1);
     EXPECT_EQ(lightwell({"view", "a.gto", "--size", "big"}).status, 1);
+    EXPECT_EQ(lightwell({"view", "a.obj", "--unit", "yard"}).status, 1);
+    EXPECT_EQ(lightwell({"view", "a.obj", "--up", "w"}).status, 1);
 }
 
 /// A window on the Cornell box, with input that was written down.
