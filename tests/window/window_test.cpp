@@ -150,6 +150,21 @@ TEST_F(CornellBoxWindow, DragsALampUndoesSavesAndLoads) {
     EXPECT_NEAR(visit["eye"][0].get<double>(), 4.6, 1e-9);
 }
 
+TEST_F(CornellBoxWindow, ALampThatIsLoadedCanBeSwitchedAtOnceAndIsAsDimAsItWas) {
+    const std::string lamps = folder_.write(
+        "lamps.toml",
+        "[[light]]\nname = \"dim\"\ntype = \"point\"\nposition = [2, 2, 3]\nintensity = 80\n"
+        "dimmer = 0.3\non = false\n");
+    const std::string drop = "drop " + lamps + "\nframe 0.02\n";
+    Json visit = replayed(drop);
+    EXPECT_EQ(visit["lights"][0]["on"], false);
+    EXPECT_EQ(visit["lights"][0]["dimmer"], 0.3);
+    visit = replayed(drop + tap("space") + with_control("s"));
+    EXPECT_EQ(visit["lights"][0]["on"], true);
+    EXPECT_EQ(visit["lights"][0]["dimmer"], 0.3);
+    EXPECT_NEAR(luminance(std::get<PointLight>(read_lights(lamps)[0]).intensity), 24, 1e-9);
+}
+
 TEST_F(CornellBoxWindow, AddsSwitchesAndDeletesLamps) {
     Json visit = replayed(tap("l") + tap("space"));
     ASSERT_EQ(visit["lights"].size(), 2u);

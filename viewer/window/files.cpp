@@ -95,7 +95,10 @@ void load_lights(const std::string& path, const Vec3& up, Visit& visit) {
         visit.camera.set_speed(speed);
     }
     visit.edits.replace(lights);
-    visit.selected.reset();
+    if (lights.empty())
+        visit.selected.reset();
+    else
+        visit.selected = std::min(visit.selected.value_or(0), lights.size() - 1);
 }
 
 void expose(LitScene& scene, Visit& visit, double aspect) {
