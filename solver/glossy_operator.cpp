@@ -40,6 +40,7 @@ RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Set
     result.oracle.tolerance = settings.oracle_tolerance;
     result.directions.tolerance *= settings.oracle_tolerance / GeometricOracleOptions().tolerance;
     result.angle = angular_resolution(options.error);
+    result.angle.tolerance = settings.angular_tolerance;
     return result;
 }
 
@@ -50,6 +51,7 @@ Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground)
     constexpr double wider = 2;
     if (!options.cell_size) settings.cell_size *= wider;
     if (!options.truncation) settings.truncation *= glossy_looseness;
+    settings.angular_tolerance = angular_resolution(options.error).tolerance;
     return settings;
 }
 
@@ -57,7 +59,12 @@ void tighten_glossy(const PrecomputeOptions& options, double missed, Settings& s
     const double factor = std::clamp(0.9 / missed, 0.5, 0.9);
     if (!options.oracle_tolerance) settings.oracle_tolerance *= factor;
     if (!options.truncation) settings.truncation *= std::sqrt(factor);
-    if (!options.cell_size) settings.cell_size *= factor;
+    if (options.cell_size) return;
+    // Light in scenes/glossy, with cells of 0.4 m and 64 directions, is 10.5 % off; 0.2 m: 5.8 %;
+    // 0.2 m and 256 directions: 4.9 %; 0.4 m and 256 directions: 10.5 %. Low lamps are seen in a
+    // polished floor at grazing directions, where cells of directions are widest.
+    settings.cell_size *= factor;
+    settings.angular_tolerance *= factor;
 }
 
 double glossy_functions(const Ground& ground, const PrecomputeOptions& options,

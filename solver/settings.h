@@ -10,13 +10,14 @@ namespace lightwell {
 
 /// What follows from the error asked for, where it is not set by hand.
 struct Settings {
-    double cell_size = 0;         ///< largest side of a finest cell [m]
-    double oracle_tolerance = 0;  ///< see the oracles
-    double truncation = 0;        ///< relative error of indirect light from left-out coefficients
+    double cell_size = 0;          ///< largest side of a finest cell [m]
+    double oracle_tolerance = 0;   ///< see the oracles
+    double truncation = 0;         ///< relative error of indirect light from left-out coefficients
+    double angular_tolerance = 0;  ///< see AngularResolution; of glossy materials
 
     bool operator==(const Settings& other) const {
         return cell_size == other.cell_size && oracle_tolerance == other.oracle_tolerance &&
-               truncation == other.truncation;
+               truncation == other.truncation && angular_tolerance == other.angular_tolerance;
     }
 };
 

@@ -181,14 +181,6 @@ HaarBasis angular_basis(int levels) {
     return {square, square_tree(levels)};
 }
 
-std::uint32_t finest_angular_cell(const CellTree& angle, const Vec3& direction) {
-    const Vec2 st = square_from_direction(direction.normalized());
-    const auto number = [](double at, std::uint32_t cells) {
-        return std::min(static_cast<std::uint32_t>(std::max(0.0, at) * cells), cells - 1);
-    };
-    return angle.finest_at(number(st[0], angle.columns()), number(st[1], angle.rows()));
-}
-
 AngularReflection::AngularReflection(const Lobe& lobe, const AngularResolution& resolution) {
     const bool none = std::holds_alternative<NoLobe>(lobe);
     represent(lobe, none ? 0 : resolution.least_levels, resolution.most_levels,

@@ -26,10 +26,6 @@ struct AngularResolution {
 /// their share of the square, so that a direction's cosine is in the measure.
 HaarBasis angular_basis(int levels);
 
-/// The finest cell of the angular square that a direction of the hemisphere (any length, z >= 0)
-/// falls into.
-std::uint32_t finest_angular_cell(const CellTree& angle, const Vec3& direction);
-
 /// How the lobe of a material reflects, in Haar functions over (s,t) x (s',t'): incident radiance
 /// becomes radiance that leaves,
 ///     L_o(s,t) = Int pi f(s,t; s',t') L(s',t') ds' dt',

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 
 namespace lightwell {
@@ -27,8 +28,10 @@ Eigen::VectorXd shares_of_directions(const Element& element, const Eigen::Matrix
             const Vec3 local = frame.transpose() * (from - at);
             const double distance = local.norm();
             if (!(local[2] > 0)) continue;
-            shares[finest_angular_cell(element.angle, local)] +=
-                local[2] / (distance * distance * distance);
+            const double seen = local[2] / (distance * distance * distance);
+            for (const AngularShare& one :
+                 angular_shares(element.angle, element.angle.levels(), local))
+                shares[one.cell] += seen * one.share;
         }
     const double sum = shares.sum();
     return sum > 0 ? Eigen::VectorXd(shares / sum) : shares;

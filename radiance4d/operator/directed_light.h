@@ -5,8 +5,8 @@
 namespace lightwell {
 
 /// Adds the light of a point source to a field over an element with angular functions: the light on
-/// each finest spatial cell enters the angular cells that contain its direction, in proportion to
-/// the flux on the parts of the cell from which it comes through each.
+/// each finest spatial cell enters the angular cells around its direction (see angular_shares), in
+/// proportion to the flux on the parts of the cell from which it comes through each.
 ///
 /// @param from        where the source stands [m]
 /// @param irradiance  of the element's finest cells by this source [lx], shadows included

@@ -1,8 +1,10 @@
 #include "runtime/projection/directed_cells.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 
 namespace lightwell {
@@ -37,6 +39,7 @@ DirectedCells::DirectedCells(const Element& element)
             if (functions(f, a) != 0)
                 parts_[static_cast<std::size_t>(a)].emplace_back(
                     static_cast<std::uint32_t>(f), static_cast<float>(functions(f, a)));
+    seen_.resize(angle_.functions());
     light_ = PackedField::Zero(4, angles * tree.functions());
     cells_ = PackedField::Zero(4, tree.functions());
 }
@@ -44,24 +47,27 @@ DirectedCells::DirectedCells(const Element& element)
 void DirectedCells::add(const Vec3& from, const PackedField& flux) {
     const Eigen::Vector3f source = (frame_.transpose() * (from - centre_)).cast<float>();
     const std::uint32_t cells = haar_.tree().functions();
-    std::array<std::pair<std::uint32_t, float>, points * points> seen;
     for (std::uint32_t m = 0; m < cells; ++m) {
         if (!(flux.col(m) > 0).any()) continue;
-        std::size_t count = 0;
         float sum = 0;
+        std::fill(seen_.begin(), seen_.end(), 0.0F);
         for (const Eigen::Vector3f& point : points_[m]) {
             const Eigen::Vector3f way = source - point;
             if (!(way[2] > 0)) continue;
             const float square = way.squaredNorm(), share = way[2] / (square * std::sqrt(square));
-            seen[count++] = {finest_angular_cell(angle_, way.cast<double>()), share};
+            for (const AngularShare& one :
+                 angular_shares(angle_, angle_.levels(), way.cast<double>()))
+                seen_[one.cell] += share * static_cast<float>(one.share);
             sum += share;
         }
         if (!(sum > 0)) continue;
         is_dark_ = false;
         const Packed mean = per_flux_[m] / sum * flux.col(m);
-        for (std::size_t k = 0; k < count; ++k)
-            for (const auto& [function, part] : parts_[seen[k].first])
-                light_.col(Eigen::Index{function} * cells + m) += seen[k].second * part * mean;
+        for (std::size_t a = 0; a < seen_.size(); ++a) {
+            if (!(seen_[a] > 0)) continue;
+            for (const auto& [function, part] : parts_[a])
+                light_.col(Eigen::Index{function} * cells + m) += seen_[a] * part * mean;
+        }
     }
 }
 

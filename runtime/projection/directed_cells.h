@@ -42,8 +42,9 @@ class DirectedCells {
     std::vector<float> per_flux_;  ///< angular mean of a finest cell per flux on it
     /// By finest angular cell: the angular functions that its light has a part in, and which.
     std::vector<std::vector<std::pair<std::uint32_t, float>>> parts_;
-    PackedField light_;  ///< cell by cell for one angular function after another
-    PackedField cells_;  ///< scratch: by finest cell
+    std::vector<float> seen_;  ///< scratch: by finest angular cell, of one spatial cell's light
+    PackedField light_;        ///< cell by cell for one angular function after another
+    PackedField cells_;        ///< scratch: by finest cell
     bool is_dark_ = true;
 };
 

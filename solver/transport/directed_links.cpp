@@ -9,7 +9,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 #include "solver/transport/even_points.h"
 
@@ -86,29 +86,38 @@ class RayLinks {
             if (!hit) continue;
             const auto met = by_side_.find({hit.quad, hit.front});
             if (met == by_side_.end()) continue;
-            record({e, finest_position(space, cell), finest_position(x.angle, angle)},
+            record(end_at(e, origin, direction),
                    end_at(met->second, origin + hit.distance * direction, -direction), part, found);
         }
     }
 
-    /// One end of a link: element, spatial and angular position.
-    using End = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+    /// One end of a ray: element, spatial position, and angular cells.
+    struct End {
+        std::uint32_t element, space;
+        std::array<AngularShare, 4> angles;
+    };
 
     End end_at(std::uint32_t e, const Vec3& point, const Vec3& direction) const {
         const Element& y = elements_[e];
         const CellTree& space = y.space.tree();
-        const Vec3 local = frame_[e].transpose() * direction;
         return {e, finest_position(space, finest_around(space, y.geometry.parameters(point))),
-                finest_position(y.angle, finest_angular_cell(y.angle, local))};
+                angular_shares(y.angle, y.angle.levels(), frame_[e].transpose() * direction)};
     }
 
     void record(const End& x, const End& y, double exchange, LinksByPair& found) const {
-        const bool both =
-            is_directed(elements_[std::get<0>(x)]) && is_directed(elements_[std::get<0>(y)]);
-        const auto& [receiver, sender] = std::minmax(x, y);
-        found[{std::get<0>(receiver), std::get<0>(sender)}].push_back(
-            {std::get<1>(receiver), std::get<2>(receiver), std::get<1>(sender), std::get<2>(sender),
-             both ? exchange / 2 : exchange, true});
+        const bool both = is_directed(elements_[x.element]) && is_directed(elements_[y.element]);
+        const End& receiver = x.element < y.element ? x : y;
+        const End& sender = x.element < y.element ? y : x;
+        const auto position = [this](const End& end, const AngularShare& share) {
+            return finest_position(elements_[end.element].angle, share.cell);
+        };
+        std::vector<DirectedLink>& links = found[{receiver.element, sender.element}];
+        for (const AngularShare& i : receiver.angles)
+            for (const AngularShare& j : sender.angles)
+                if (i.share * j.share > 0)
+                    links.push_back({receiver.space, position(receiver, i), sender.space,
+                                     position(sender, j),
+                                     i.share * j.share * (both ? exchange / 2 : exchange), true});
     }
 
     const std::vector<Element>& elements_;

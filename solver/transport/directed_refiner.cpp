@@ -8,6 +8,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 #include "solver/transport/even_points.h"
 #include "solver/transport/kernel.h"
@@ -192,11 +193,14 @@ class PairDirections {
             visit(part.x, part.y, exchange * part.share / sum, sampled);
     }
 
-    static std::uint32_t angular_position(const Element& element, const Eigen::Matrix3d& frame,
-                                          const Vec3& towards, int level) {
-        const CellTree& tree = element.angle;
-        const std::uint32_t finest = finest_angular_cell(tree, frame.transpose() * towards);
-        return tree.position({level, finest >> (2 * (tree.levels() - level))});
+    /// The angular cells that a look belongs to, at one end.
+    static std::array<AngularShare, 4> shares(const Element& element, const Eigen::Matrix3d& frame,
+                                              const Vec3& towards, int level) {
+        std::array<AngularShare, 4> result =
+            angular_shares(element.angle, level, frame.transpose() * towards);
+        for (AngularShare& one : result)
+            one.cell = element.angle.position({level, one.cell});
+        return result;
     }
 
     /// Records the link by the angular cells through which its ends see each other.
@@ -224,10 +228,13 @@ class PairDirections {
         double sum = 0;
         for (const Look& look : seen) {
             const Vec3 towards = look.y - look.x;
-            by_angles[{
-                angular_position(receiver_, receiver_frame_, towards, verdict.receiver_angle),
-                angular_position(sender_, sender_frame_, -towards, verdict.sender_angle)}] +=
-                look.kernel;
+            const auto at_receiver =
+                shares(receiver_, receiver_frame_, towards, verdict.receiver_angle);
+            const auto at_sender = shares(sender_, sender_frame_, -towards, verdict.sender_angle);
+            for (const AngularShare& i : at_receiver)
+                for (const AngularShare& j : at_sender)
+                    if (i.share * j.share > 0)
+                        by_angles[{i.cell, j.cell}] += look.kernel * i.share * j.share;
             sum += look.kernel;
         }
         for (const auto& [angles, share] : by_angles)

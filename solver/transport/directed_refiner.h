@@ -13,16 +13,16 @@ namespace lightwell {
 struct DirectedRefinerOptions {
     /// Pairs of points that tell a kept link's directions, for each angular cell that it spans
     /// along either axis, squared; >= 1.
-    int points = 32;
+    int points = 8;
 };
 
 /// Carries out the verdicts of the directional oracle on links in space: the four sub-domains of a
 /// link are refined adaptively, where directed_links goes to the finest cells everywhere. What a
 /// link carries is divided among its parts by the kernel at evenly spread pairs of points, and each
-/// pair of points knows the angular cells that its ends see each other through: a part whose
-/// angular cells do not point at the other end gets nothing, and no part is visited twice, because
-/// the parts are disjoint. Rays are cast only for links of partial visibility. Sums over directions
-/// are those of the given links.
+/// pair of points knows the angular cells that its ends see each other through (angular_shares): a
+/// part whose angular cells do not point at the other end gets nothing, and no part is visited
+/// twice, because the parts are disjoint. Rays are cast only for links of partial visibility. Sums
+/// over directions are those of the given links.
 ///
 /// @param given   links in space between all elements, as refine_links finds and close_links
 ///                closes them; those between sides without angular cells are taken over

@@ -290,9 +290,10 @@ TEST(GlossyAttempts, GoOnWhereTheErrorIsMissed) {
 
 TEST(GlossyAttempts, ShrinkCellsMost) {
     PrecomputeOptions options;
-    Settings settings{0.4, 1e-4, 0.06};
+    Settings settings{0.4, 1e-4, 0.06, 0.6};
     tighten_glossy(options, 3, settings);
     EXPECT_DOUBLE_EQ(settings.cell_size, 0.2);
+    EXPECT_DOUBLE_EQ(settings.angular_tolerance, 0.3);
     EXPECT_LT(settings.oracle_tolerance, 1e-4);
     EXPECT_LT(settings.truncation, 0.06);
     options.cell_size = 0.2;
@@ -301,7 +302,26 @@ TEST(GlossyAttempts, ShrinkCellsMost) {
     tighten_glossy(options, 3, settings);
     EXPECT_EQ(settings.cell_size, before.cell_size);
     EXPECT_EQ(settings.truncation, before.truncation);
+    EXPECT_EQ(settings.angular_tolerance, before.angular_tolerance);
     EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
+}
+
+// What a tighter one would take is known before it is built.
+TEST(GlossyAttempts, EndWhereMemoryDoes) {
+    const Scene scene = room_with_floor(phong(5), 0.1);
+    PrecomputeOptions options;
+    options.error = 0.03;
+    OracleCost cost;
+    const Ground ground(scene, cost);
+    const Settings first = glossy_settings(options, ground);
+    const double functions = glossy_functions(ground, options, first);
+    options.max_memory = static_cast<std::uint64_t>(1.01 * glossy_memory_for(functions, 1));
+    PrecomputeReport report;
+    const GlobalTransport reached = precompute(scene, options, {}, report);
+    EXPECT_EQ(report.attempts, 1);
+    EXPECT_GT(reached.provenance.error_bound, options.error);
+    EXPECT_EQ(reached.space.functions(), functions);
+    EXPECT_EQ(reached.provenance.cell_size, first.cell_size);
 }
 
 // What does not fit is said before anything is computed; the directions count.

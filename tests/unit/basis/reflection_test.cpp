@@ -1,9 +1,11 @@
 #include "radiance4d/operator/reflection.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 #include "radiance4d/operator/directed_light.h"
 #include "radiance4d/scene/brdf.h"
@@ -95,7 +97,11 @@ TEST(DirectedLight, KeepsIrradianceAndDirection) {
     for (std::uint32_t m = 0; m < cells; ++m) {
         const Vec3 local = frame.transpose() *
                            (source - element.cell({element.space.tree().levels(), m}).centre());
-        const std::uint32_t expected = finest_angular_cell(element.angle, local);
+        const auto around = angular_shares(element.angle, 2, local);
+        const std::uint32_t expected =
+            std::max_element(around.begin(), around.end(), [](const auto& one, const auto& other) {
+                return one.share < other.share;
+            })->cell;
         Eigen::Index strongest = 0;
         columns.col(m).maxCoeff(&strongest);
         EXPECT_GT(columns(expected, m), 0) << m;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "radiance4d/basis/angular_reflection.h"
+#include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/operator/reflection.h"
@@ -75,26 +76,29 @@ class DirectedBox : public ::testing::Test {
         return columns.transpose();
     }
 
-    /// Mean over a spatial and an angular cell of a function of what rays from there meet.
+    /// Means over a spatial cell, and by angular cell over the directions that belong to it, of a
+    /// function of what rays from there meet.
     template <typename Function>
-    double mean_of_met(std::size_t e, std::uint32_t cell, std::uint32_t angle,
-                       const Function& function) const {
+    Eigen::ArrayXd means_of_met(std::size_t e, std::uint32_t cell, const Function& function) const {
         const Element& element = elements[e];
         const ParameterRect r = element.space.tree().rect({space_levels, cell});
-        const ParameterRect d = element.angle.rect({angle_levels, angle});
         const Eigen::Matrix3d frame = local_frame(element.geometry);
-        constexpr int n = 5;
-        double sum = 0;
+        constexpr int n = 5, directions_across = 20;
+        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(element.angle.functions());
         for (int k = 0; k < n * n; ++k)
-            for (int l = 0; l < n * n; ++l) {
+            for (int l = 0; l < directions_across * directions_across; ++l) {
                 const Vec3 from = element.geometry.point(r.u0 + (k / n + .5) / n * (r.u1 - r.u0),
                                                          r.v0 + (k % n + .5) / n * (r.v1 - r.v0));
-                const Vec3 towards =
-                    frame * direction_from_square({d.u0 + (l / n + .5) / n * (d.u1 - d.u0),
-                                                   d.v0 + (l % n + .5) / n * (d.v1 - d.v0)});
-                sum += function(visibility.nearest(from, element.quad, towards), towards);
+                const Vec3 local =
+                    direction_from_square({(l / directions_across + .5) / directions_across,
+                                           (l % directions_across + .5) / directions_across});
+                const Vec3 towards = frame * local;
+                const double met =
+                    function(visibility.nearest(from, element.quad, towards), towards);
+                for (const AngularShare& one : angular_shares(element.angle, angle_levels, local))
+                    sum[one.cell] += one.share * met;
             }
-        return sum / (n * n * n * n);
+        return sum * element.angle.functions() / (n * n * directions_across * directions_across);
     }
 
     const std::vector<Quad> quads = testing::box_walls({2, 1.5, 1.2});
@@ -160,14 +164,13 @@ TEST_F(DirectedBox, LightArrivesFromWhereItsSourceIsSeen) {
     lit[source] = true;
     const RowMatrix arrived = means(receiver, propagated(propagate, uniform(lit)));
     double squares = 0, off = 0;
-    for (std::uint32_t m = 0; m < arrived.rows(); ++m)
-        for (std::uint32_t a = 0; a < arrived.cols(); ++a) {
-            const double exact = mean_of_met(receiver, m, a, [&](const Hit& hit, const Vec3&) {
-                return hit.quad == static_cast<int>(source) ? 1.0 : 0.0;
-            });
-            squares += exact * exact;
-            off += std::pow(arrived(m, a) - exact, 2);
-        }
+    for (std::uint32_t m = 0; m < arrived.rows(); ++m) {
+        const Eigen::ArrayXd exact = means_of_met(receiver, m, [&](const Hit& hit, const Vec3&) {
+            return hit.quad == static_cast<int>(source) ? 1.0 : 0.0;
+        });
+        squares += exact.square().sum();
+        off += (arrived.row(m).transpose().array() - exact).square().sum();
+    }
     EXPECT_LT(std::sqrt(off / squares), 0.12);
 }
 
@@ -198,15 +201,17 @@ TEST_F(GlossyBox, UniformLightComesBackByTheDirectionalAlbedo) {
         for (std::uint32_t m = 0; m < arrived.rows(); ++m) {
             flux += arrived.row(m).mean() * elements[e].space.area({space_levels, m});
             area += elements[e].space.area({space_levels, m});
-            for (std::uint32_t a = 0; e == 0 && a < arrived.cols(); ++a) {
-                const double exact = mean_of_met(e, m, a, [&](const Hit& hit, const Vec3& way) {
-                    const Element& met = elements[static_cast<std::size_t>(hit.quad)];
-                    const Vec3 back = local_frame(met.geometry).transpose() * -way;
-                    return leaving(0, finest_angular_cell(met.angle, back));
-                });
-                squares += exact * exact;
-                off += std::pow(arrived(m, a) - exact, 2);
-            }
+            if (e != 0) continue;
+            const Eigen::ArrayXd exact = means_of_met(e, m, [&](const Hit& hit, const Vec3& way) {
+                const Element& met = elements[static_cast<std::size_t>(hit.quad)];
+                const Vec3 back = local_frame(met.geometry).transpose() * -way;
+                double radiance = 0;
+                for (const AngularShare& one : angular_shares(met.angle, angle_levels, back))
+                    radiance += one.share * leaving(0, one.cell);
+                return radiance;
+            });
+            squares += exact.square().sum();
+            off += (arrived.row(m).transpose().array() - exact).square().sum();
         }
     }
     EXPECT_LT(std::sqrt(off / squares), 0.04);
