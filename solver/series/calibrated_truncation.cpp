@@ -4,11 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/series/mean_truncation.h"
 #include "solver/series/truncation.h"
 
 namespace lightwell {
 
 namespace {
+
+/// Of the target of truncation, what coefficients between means may make.
+constexpr double share_of_means = 0.01;
 
 /// The budget of independent errors that comes near a measured one.
 constexpr double independent_share = 0.3;
@@ -100,7 +104,8 @@ void sum_series(const Eigen::ArrayXd& weight, const TrialLights& tried,
         first_of.push_back(c);
         const NeumannSeries series =
             truncated_series(transport.bounce, rho.col(c), tried, target.global, rule, progress);
-        transport.indirect.push_back(to_operator(series.sum));
+        transport.indirect.push_back(
+            to_operator(without_small_means(series.sum, rule, share_of_means * target.global)));
         transport.provenance.bounces = std::max(transport.provenance.bounces, series.bounces);
     }
 }
