@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/scene/brdf.h"
@@ -48,6 +49,38 @@ double visible_share(const RadianceSpace& space, const Visibility& visibility,
 /// Irradiance as pictures show it [lx], by element.
 std::vector<SmoothSurface> pictured(const GlobalTransport& transport, const RadianceField& direct) {
     return smooth_irradiance(transport.space, gathered_light(transport, direct));
+}
+
+std::vector<PointLight> white_unit_lamps(const std::vector<Vec3>& positions) {
+    std::vector<PointLight> lamps;
+    for (const Vec3& position : positions) {
+        PointLight lamp;
+        lamp.position = position;
+        lamp.intensity = Rgb::Ones();
+        lamps.push_back(lamp);
+    }
+    return lamps;
+}
+
+/// What judging an operator by one light gives.
+struct Verdict {
+    Deviation deviation;
+    Rgb stored_flux = Rgb::Zero();  ///< see ErrorEstimate
+    Rgb solved_flux = Rgb::Zero();
+};
+
+Verdict verdict_on(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                   const OccluderTree& occluders, const JudgedLight& judged, bool solves) {
+    const RadianceField direct =
+        projected_lights(transport.space, {judged.light}, quads, occluders);
+    Verdict verdict;
+    verdict.deviation = deviation_from(
+        judged.truth, shown_at(judged.points, transport.space, pictured(transport, direct), quads),
+        judged.weight);
+    if (!solves) return verdict;
+    verdict.stored_flux = total_flux(transport.space, global_light(transport, direct) - direct);
+    verdict.solved_flux = total_flux(transport.space, solved_light(transport, direct));
+    return verdict;
 }
 
 }  // namespace
@@ -139,23 +172,26 @@ std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
     NoiseTarget target;
     target.relative = options.noise;
     target.floor = 0.5;  // bright places are chosen oftener than dark ones
-    std::vector<JudgedLight> judged;
-    for (std::size_t k = 0; k < positions.size(); ++k) {
+    const std::vector<PointLight> lamps = white_unit_lamps(positions);
+    std::vector<ChosenPoints> chosen(lamps.size());
+    tbb::parallel_for(std::size_t{0}, lamps.size(), [&](std::size_t k) {
         progress.check();
-        progress.say("estimate", static_cast<double>(k) / static_cast<double>(positions.size()));
-        PointLight lamp;
-        lamp.position = positions[k];
-        lamp.intensity = Rgb::Ones();
-        const RadianceField direct = projected_lights(transport.space, {lamp}, quads, occluders);
+        const RadianceField direct =
+            projected_lights(transport.space, {lamps[k]}, quads, occluders);
         CandidatePoints candidates;
         candidates.points = sample_surface(dark, sides, options.candidates, options.seed + k);
         candidates.shown = {
             shown_at(candidates.points, transport.space, pictured(transport, direct), quads),
             visible_shares(transport.space, visibility, candidates.points)};
-        ChosenPoints chosen =
+        chosen[k] =
             chosen_points(candidates, options.points, RandomStream(options.seed + k).uniform());
-        judged.push_back(judged_light(dark, visibility, lamp, std::move(chosen.points),
-                                      std::move(chosen.shown.weight), target, options.seed + k));
+    });
+    std::vector<JudgedLight> judged;
+    for (std::size_t k = 0; k < lamps.size(); ++k) {
+        progress.check();
+        progress.say("estimate", static_cast<double>(k) / static_cast<double>(lamps.size()));
+        judged.push_back(judged_light(dark, visibility, lamps[k], std::move(chosen[k].points),
+                                      std::move(chosen[k].shown.weight), target, options.seed + k));
     }
     return judged;
 }
@@ -173,18 +209,19 @@ std::string basis_of(const std::vector<JudgedLight>& judged) {
 void add_errors(const GlobalTransport& transport, const std::vector<Quad>& quads,
                 const OccluderTree& occluders, const std::vector<JudgedLight>& judged,
                 std::size_t first, const Progress& progress, ErrorEstimate& estimate) {
-    for (std::size_t k = first; k < judged.size(); ++k) {
+    // Solving for a lamp takes longer than judging it; of flux, lamps lose alike.
+    constexpr std::size_t lamps_solved = 8;
+    std::vector<Verdict> verdicts(judged.size() - first);
+    tbb::parallel_for(std::size_t{0}, verdicts.size(), [&](std::size_t i) {
         progress.check();
-        const JudgedLight& one = judged[k];
-        const RadianceField direct =
-            projected_lights(transport.space, {one.light}, quads, occluders);
-        estimate.stored_flux +=
-            total_flux(transport.space, global_light(transport, direct) - direct);
-        estimate.solved_flux += total_flux(transport.space, solved_light(transport, direct));
-        const Deviation deviation = deviation_from(
-            one.truth, shown_at(one.points, transport.space, pictured(transport, direct), quads),
-            one.weight);
-        if (deviation.reference_rms > 0) estimate.by_light.push_back(deviation.relative_rms);
+        verdicts[i] =
+            verdict_on(transport, quads, occluders, judged[first + i], first + i < lamps_solved);
+    });
+    for (const Verdict& verdict : verdicts) {
+        estimate.stored_flux += verdict.stored_flux;
+        estimate.solved_flux += verdict.solved_flux;
+        if (verdict.deviation.reference_rms > 0)
+            estimate.by_light.push_back(verdict.deviation.relative_rms);
     }
 }
 

@@ -77,7 +77,7 @@ struct ErrorEstimate {
     /// By light: relative root mean square over the surface of the indirect illuminance that a
     /// picture shows (the gathered operator, reconstructed smoothly) against the judge.
     std::vector<double> by_light;
-    Rgb stored_flux = Rgb::Zero();  ///< indirect flux [lm] by the stored operator, over the lights
+    Rgb stored_flux = Rgb::Zero();  ///< indirect flux [lm] of the first lights, by the operator
     Rgb solved_flux = Rgb::Zero();  ///< the same by solving on the bounce operator
 
     /// Share of the indirect flux that the stored operator lacks against the solved one.
