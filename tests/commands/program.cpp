@@ -119,31 +119,6 @@ std::string sample_scene(const std::string& name) {
     return std::string(LIGHTWELL_SCENES) + "/" + name + "/scene.toml";
 }
 
-ScratchFolder::ScratchFolder() {
-    // A space and letters beyond ASCII: names that real users' folders have.
-    std::string name =
-        (std::filesystem::temp_directory_path() / "lightwell t\xc3\xa9st XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
-}
-
-std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return *this / name;
-}
-
-std::vector<std::string> ScratchFolder::names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 std::string contents(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     EXPECT_TRUE(file) << path;

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/scratch_folder.h"
 
 namespace lightwell {
 
@@ -35,25 +36,7 @@ ProgramRun lightwell(const std::vector<std::string>& arguments, const ProgramSet
 /// A scene of the project by its folder's name.
 std::string sample_scene(const std::string& name);
 
-/// A new folder that is removed with its owner.
-class ScratchFolder {
-  public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    /// Path of a file in it, whether it exists or not.
-    std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
-    std::string path() const { return folder_.string(); }
-    /// Writes a file. @return its path.
-    std::string write(const std::string& name, const std::string& text) const;
-    /// Names of all that lies in it, sorted.
-    std::vector<std::string> names() const;
-
-  private:
-    std::filesystem::path folder_;
-};
+using testing::ScratchFolder;
 
 std::string contents(const std::string& path);
 

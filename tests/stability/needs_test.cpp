@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "radiance4d/operator/operator_file.h"
-#include "tests/unit/operator_file/temporary_folder.h"
+#include "tests/scratch_folder.h"
 #include "viewer/stability/case_scenes.h"
 #include "viewer/stability/lit_scene.h"
 
@@ -32,8 +32,8 @@ Price price_of(const std::string& kind, const GlobalTransport& transport) {
     for (const TransportOperator& channel : transport.indirect)
         price.global += channel.coefficients();
     price.channels = transport.indirect.size();
-    const testing::TemporaryFolder folder;
-    const std::string file = folder.file("scene.gto");
+    const testing::ScratchFolder folder;
+    const std::string file = folder / "scene.gto";
     write_operator_file(file, transport);
     price.bytes = std::filesystem::file_size(file);
     std::printf(

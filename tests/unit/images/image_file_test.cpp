@@ -15,28 +15,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tests/scratch_folder.h"
+
 namespace lightwell {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder of its own for every test.
+/// With an empty folder.
 class ImageFile : public ::testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "lightwell-images-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    std::string path(const std::string& name) const { return folder_ / name; }
+    std::size_t file_count() const { return folder_.names().size(); }
 
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::size_t file_count() const {
-        return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
-
-    fs::path folder_;
+    testing::ScratchFolder folder_;
 };
 
 /// Every pixel differs, so that a flip or a shift cannot pass.
@@ -139,8 +131,8 @@ TEST_F(ImageFile, AnUnusablePlaceIsAClearError) {
 }
 
 TEST_F(ImageFile, AReadOnlyFolderIsASystemError) {
-    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec |
-                                 fs::perms::others_read | fs::perms::others_exec);
+    fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec |
+                                        fs::perms::others_read | fs::perms::others_exec);
     // Permissions do not hold for root, who therefore becomes nobody for the moment.
     const bool root = geteuid() == 0;
     if (root) {
@@ -151,7 +143,7 @@ TEST_F(ImageFile, AReadOnlyFolderIsASystemError) {
     if (root) {
         ASSERT_EQ(seteuid(0), 0);
     }
-    fs::permissions(folder_, fs::perms::owner_all);
+    fs::permissions(folder_.path(), fs::perms::owner_all);
     EXPECT_EQ(file_count(), 0u);
 }
 

@@ -10,9 +10,9 @@
 #include "radiance4d/operator/chunk_source.h"
 #include "radiance4d/operator/file_layout.h"
 #include "radiance4d/operator/operator_file.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/operator_file/forgery.h"
 #include "tests/unit/operator_file/sample_transport.h"
-#include "tests/unit/operator_file/temporary_folder.h"
 
 namespace lightwell::testing {
 
@@ -58,9 +58,9 @@ class Damage : public ::testing::Test {
         });
     }
 
-    TemporaryFolder folder_;
-    std::string good_ = folder_.file("good.gto");
-    std::string bad_ = folder_.file("bad.gto");
+    ScratchFolder folder_;
+    std::string good_ = folder_ / "good.gto";
+    std::string bad_ = folder_ / "bad.gto";
     std::string bytes_;
 };
 

@@ -9,8 +9,8 @@
 
 #include "radiance4d/failure.h"
 #include "radiance4d/operator/operator_file.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/operator_file/sample_transport.h"
-#include "tests/unit/operator_file/temporary_folder.h"
 
 namespace lightwell::testing {
 
@@ -48,8 +48,8 @@ class SmallDisk {
 }  // namespace
 
 TEST(ForeignFile, IsRefusedForWhatItIs) {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("thing.gto");
+    const ScratchFolder folder;
+    const std::string path = folder / "thing.gto";
     const auto refusal_of = [&](const std::string& bytes) {
         put_bytes(path, bytes);
         return refusal(path);
@@ -65,11 +65,11 @@ TEST(ForeignFile, IsRefusedForWhatItIs) {
 }
 
 TEST(ForeignFile, IsRefusedIfItIsNoFile) {
-    const TemporaryFolder folder;
-    EXPECT_NE(refusal(folder.file("none.gto")).find("cannot be opened"), std::string::npos);
-    EXPECT_NE(refusal(folder.file("")).find("is not a regular file"), std::string::npos);
+    const ScratchFolder folder;
+    EXPECT_NE(refusal(folder / "none.gto").find("cannot be opened"), std::string::npos);
+    EXPECT_NE(refusal(folder / "").find("is not a regular file"), std::string::npos);
     EXPECT_NE(refusal("/dev/zero").find("is not a regular file"), std::string::npos);
-    const std::string pipe = folder.file("pipe");
+    const std::string pipe = folder / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_NE(refusal(pipe).find("is not a regular file"), std::string::npos);
     EXPECT_THROW(inspect_operator_file("/dev/zero"), InputError);
@@ -77,25 +77,25 @@ TEST(ForeignFile, IsRefusedIfItIsNoFile) {
 
 // A terabyte of holes: nothing is read beyond the head.
 TEST(ForeignFile, IsRefusedQuicklyHoweverLarge) {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("holes.gto");
+    const ScratchFolder folder;
+    const std::string path = folder / "holes.gto";
     write_operator_file(path, sample_transport());
     std::filesystem::resize_file(path, std::uintmax_t{1} << 40U);
     EXPECT_NE(refusal(path).find("after its end"), std::string::npos);
 }
 
 TEST(FullDisk, KeepsTheEarlierFileAndLeavesNothing) {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("room.gto");
+    const ScratchFolder folder;
+    const std::string path = folder / "room.gto";
     write_operator_file(path, sample_transport());
     const std::string before = bytes_of(path);
     {
         const SmallDisk disk(before.size() / 2);
         EXPECT_THROW(write_operator_file(path, sample_transport(20)), SystemError);
-        EXPECT_THROW(write_operator_file(folder.file("new.gto"), sample_transport()), SystemError);
+        EXPECT_THROW(write_operator_file(folder / "new.gto", sample_transport()), SystemError);
     }
     EXPECT_EQ(bytes_of(path), before);
-    EXPECT_EQ(folder.files(), 1U);
+    EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(FullDisk, DeviceIsNoTarget) {

@@ -5,8 +5,8 @@
 #include "radiance4d/failure.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/operator/provenance_chunk.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/operator_file/sample_transport.h"
-#include "tests/unit/operator_file/temporary_folder.h"
 
 namespace lightwell::testing {
 
@@ -24,8 +24,8 @@ class RoundTrip : public ::testing::Test {
         return inspect_operator_file(path_).chunks.size();
     }
 
-    TemporaryFolder folder_;
-    std::string path_ = folder_.file("room.gto");
+    ScratchFolder folder_;
+    std::string path_ = folder_ / "room.gto";
 };
 
 void expect_equal(const TransportOperator& a, const TransportOperator& b) {
@@ -227,7 +227,7 @@ TEST_F(RoundTrip, KeepsWhatPacksTooWell) {
 }
 
 TEST_F(RoundTrip, GivesEqualBytesForEqualInput) {
-    const std::string other = folder_.file("other.gto");
+    const std::string other = folder_ / "other.gto";
     write_operator_file(path_, sample_transport(30), R"({"b": 1, "a": "x"})");
     write_operator_file(other, read_operator_file(path_), R"({"a":"x","b":1})");
     EXPECT_EQ(bytes_of(path_), bytes_of(other));
@@ -294,7 +294,7 @@ TEST_F(RoundTrip, RefusesToWriteNonsense) {
     });
     EXPECT_THROW(write_operator_file(path_, sample_transport(), "[1]"), BrokenInvariant);
     EXPECT_THROW(write_operator_file(path_, sample_transport(), "{"), BrokenInvariant);
-    EXPECT_EQ(folder_.files(), 0U);
+    EXPECT_EQ(folder_.names().size(), 0U);
 }
 
 }  // namespace lightwell::testing

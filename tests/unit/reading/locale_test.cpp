@@ -6,6 +6,7 @@
 
 #include "solver/reading/scene_reader.h"
 #include "solver/reading/sensor_reader.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
@@ -30,7 +31,7 @@ class Locale : public ::testing::Test {
 };
 
 TEST_F(Locale, DoesNotMatter) {
-    const testing::TemporaryFolder folder;
+    const testing::ScratchFolder folder;
     folder.write("a.mtl", "newmtl m\nKd 0.25 0.5 0.75\n");
     const std::string obj =
         folder.write("a.obj",

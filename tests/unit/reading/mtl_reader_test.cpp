@@ -2,16 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
 namespace {
 
 using testing::input_error_of;
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 std::vector<MaterialDescription> read(const std::string& text, std::vector<Warning>& warnings) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     return read_mtl(folder.write("a.mtl", text), warnings);
 }
 

@@ -7,6 +7,7 @@
 
 #include "solver/reading/scene_reader.h"
 #include "solver/reading/sensor_reader.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
@@ -45,7 +46,7 @@ std::string damaged(std::string bytes, std::mt19937& random) {
 
 /// Reads many damaged copies; counts those that are refused, which must be some but not all.
 void expect_only_input_errors(const std::string& name, const std::string& sound,
-                              const testing::TemporaryFolder& folder,
+                              const testing::ScratchFolder& folder,
                               const std::function<void(const std::string&)>& read) {
     std::mt19937 random(20060626);
     int refused = 0;
@@ -76,7 +77,7 @@ class Mutation : public ::testing::Test {
             EXPECT_TRUE(quad.quad.centre().allFinite());
         }
     }
-    testing::TemporaryFolder folder;
+    testing::ScratchFolder folder;
 };
 
 TEST_F(Mutation, OfAnObj) {

@@ -2,18 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
 namespace {
 
 using testing::input_error_of;
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 PolygonSoup read(const std::string& text) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     return read_obj(folder.write("a.obj", text));
 }
 

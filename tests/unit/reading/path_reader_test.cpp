@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
 namespace {
 
 using testing::input_error_of;
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 const std::string camera_keys = R"([[camera]]
 time = 0
@@ -29,7 +30,7 @@ std::string lamp_key(const std::string& time, const std::string& type = "point")
 }
 
 TEST(PathReader, ReadsKeysOfACameraAndOfLights) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Keyframes keyframes = read_path(folder.write(
         "p.toml", "frames_per_second = 10\n" + camera_keys + lamp_key("1") + lamp_key("2")));
     EXPECT_EQ(keyframes.frames_per_second, 10);
@@ -44,7 +45,7 @@ TEST(PathReader, ReadsKeysOfACameraAndOfLights) {
 }
 
 TEST(PathReader, SaysWhereAPathIsWrong) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::pair<std::string, std::string> cases[] = {
         {"", "no [[camera]] and no [[light]]"},
         {"frames_per_second = 0\n" + camera_keys, "p.toml:1:21: frames_per_second 0"},

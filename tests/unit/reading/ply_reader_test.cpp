@@ -4,13 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
 namespace {
 
 using testing::input_error_of;
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 const std::string square_header =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -18,7 +19,7 @@ const std::string square_header =
 const std::string square_rows = "0.5 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 PolygonSoup read(const std::string& bytes) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     return read_ply(folder.write("a.ply", bytes));
 }
 

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "radiance4d/scene/brdf.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
 namespace {
 
 using testing::input_error_of;
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 const std::string square = "v 0 0 0\nv 200 0 0\nv 200 100 0\nv 0 100 0\n";
 const std::string square_above = "v 0 0 50\nv 200 0 50\nv 200 100 50\nv 0 100 50\n";
@@ -32,11 +33,11 @@ class SceneReader : public ::testing::Test {
         return error_of("geometry = \"room.obj\"\n" + lines);
     }
 
-    TemporaryFolder folder;
+    ScratchFolder folder;
 };
 
 TEST_F(SceneReader, ReadsABareObjWithItsMaterials) {
-    const ReadScene read = read_scene(folder.path("room.obj"));
+    const ReadScene read = read_scene(folder / "room.obj");
     EXPECT_EQ(read.scene.name, "room");
     ASSERT_EQ(read.scene.quads.size(), 2u);
     EXPECT_DOUBLE_EQ(read.scene.quads[0].quad.area(), 20000);
@@ -57,7 +58,7 @@ TEST_F(SceneReader, TakesBareGeometryForWhatItIsToldToBe) {
     bare.up = axis_called("y");
     EXPECT_EQ(assumed_of("room.obj", bare), "");
     EXPECT_EQ(assumed_of("scene.toml", {}), "");
-    const Scene scene = read_scene(folder.path("room.obj"), AlbedoAboveOne::refuse, bare).scene;
+    const Scene scene = read_scene(folder / "room.obj", AlbedoAboveOne::refuse, bare).scene;
     EXPECT_NEAR(scene.quads[0].quad.area(), 2, 1e-12);
     EXPECT_EQ(scene.up, Vec3::UnitY());
     const std::string file = folder.write("scene.toml", "geometry = \"room.obj\"\n");
@@ -184,7 +185,7 @@ TEST_F(SceneReader, TakesTheDefaultMaterialWhereThereIsOne) {
 TEST_F(SceneReader, ReadsLobesOfBothKinds) {
     folder.write("room.mtl",
                  "newmtl red\nKd 0.4\nKs 0.1 0.2 0.3\nNs 20\nnewmtl lamp\nKd 0.1\nKs 0.5\n");
-    const Scene bare = read_scene(folder.path("room.obj")).scene;
+    const Scene bare = read_scene(folder / "room.obj").scene;
     const auto* phong = std::get_if<PhongLobe>(&bare.material_of(0).lobe);
     ASSERT_NE(phong, nullptr);
     EXPECT_TRUE((phong->reflectance == Rgb(0.1, 0.2, 0.3)).all());
@@ -209,7 +210,7 @@ TEST_F(SceneReader, ReadsLobesOfBothKinds) {
 
 TEST_F(SceneReader, SaysWhichHighlightsHaveNoShape) {
     folder.write("room.mtl", "newmtl red\nKd 0.4\nKs 0.1\nnewmtl lamp\nKd 0\n");
-    const ReadScene read = read_scene(folder.path("room.obj"));
+    const ReadScene read = read_scene(folder / "room.obj");
     ASSERT_EQ(read.report.warnings.size(), 1u);
     EXPECT_EQ(read.report.warnings[0].place.line, 1);
     EXPECT_EQ(read.report.warnings[0].message,
@@ -219,10 +220,10 @@ TEST_F(SceneReader, SaysWhichHighlightsHaveNoShape) {
 
 TEST_F(SceneReader, RefusesMaterialsThatMakeLight) {
     folder.write("room.mtl", "newmtl red\nKd 0.7 0.725 0.2\nKs 0.3\nNs 32\nnewmtl lamp\nKd 0\n");
-    EXPECT_EQ(input_error_of([&] { read_scene(folder.path("room.obj")); }),
+    EXPECT_EQ(input_error_of([&] { read_scene(folder / "room.obj"); }),
               "room.mtl:1:8: material 'red' reflects more light than it receives: 1.025 of the "
               "green at 0 degrees from the normal; --scale-albedo takes the scene all the same");
-    const ReadScene scaled = read_scene(folder.path("room.obj"), AlbedoAboveOne::scale);
+    const ReadScene scaled = read_scene(folder / "room.obj", AlbedoAboveOne::scale);
     EXPECT_NEAR(scaled.scene.material_of(0).reflectance[1], 0.725 / 1.025, 1e-9);
     EXPECT_NEAR(lobe_reflectance(scaled.scene.material_of(0).lobe)[0], 0.3 / 1.025, 1e-9);
     ASSERT_EQ(scaled.report.warnings.size(), 1u);
@@ -390,7 +391,7 @@ TEST_F(SceneReader, CutsQuadsAlongWallsUnlessToldNotTo) {
         EXPECT_EQ(to_string(read.report.counts),
                   "2 faces: 2 quads; 1 quad cut along walls into 2; 3 quads in all");
     }
-    EXPECT_EQ(read_scene(folder.path("two.obj")).scene.quads.size(), 3u);
+    EXPECT_EQ(read_scene(folder / "two.obj").scene.quads.size(), 3u);
     const ReadScene whole = read("geometry = \"two.obj\"\ncut_along_walls = false\n");
     EXPECT_EQ(whole.scene.quads.size(), 2u);
     EXPECT_EQ(to_string(whole.report.counts), "2 faces: 2 quads; 2 quads in all");

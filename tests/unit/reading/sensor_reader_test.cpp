@@ -2,16 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scratch_folder.h"
 #include "tests/unit/reading/files.h"
 
 namespace lightwell {
 namespace {
 
 using testing::input_error_of;
-using testing::TemporaryFolder;
+using testing::ScratchFolder;
 
 std::vector<Sensor> read(const std::string& text) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     return read_sensors_csv(folder.write("s.csv", text));
 }
 
