@@ -126,7 +126,7 @@ bool has_sum(const GlobalTransport& transport) {
 std::vector<MeasuredSetting> measured(const std::string& method, const std::string& setting,
                                       const BuiltOperator& built, const ChartedScene& scene,
                                       const JudgedScene& judge, const std::string& scratch,
-                                      bool all_ways) {
+                                      Ways ways) {
     const GlobalTransport& transport = built.transport;
     const FileSizes sizes = sizes_of(transport, scratch);
     const FrameTimes times = frame_times(built, scene, judge.lights());
@@ -144,7 +144,7 @@ std::vector<MeasuredSetting> measured(const std::string& method, const std::stri
     one.bytes = sizes.all;
     one.frame_milliseconds = 1000 * (around + times.stored + times.gather);
     std::vector<MeasuredSetting> settings{one};
-    if (!all_ways) return settings;
+    if (ways == Ways::gathered) return settings;
 
     one.method = method + ": G stored";
     one.error = judge.error_of(transport, Propagation::stored);
@@ -152,6 +152,7 @@ std::vector<MeasuredSetting> measured(const std::string& method, const std::stri
     one.bytes = sizes.all - sizes.dto;
     one.frame_milliseconds = 1000 * (around + times.stored);
     settings.push_back(one);
+    if (ways == Ways::gathered_and_stored) return settings;
 
     one.method = method + ": T iterated";
     one.error = judge.error_of(transport, Propagation::solved);

@@ -26,13 +26,16 @@ BuiltOperator built(const ChartedScene& scene, const PrecomputeOptions& options,
 /// more light than they get, and then the series has no sum.
 bool has_sum(const GlobalTransport& transport);
 
-/// One operator as each of three ways shows it: the gathered operator ("METHOD: gathered"), G
-/// stored and T iterated at run time. Only the first where `all_ways` is false.
+/// Ways to show light by one operator that are looked at.
+enum class Ways { gathered, gathered_and_stored, all };
+
+/// One operator as each of up to three ways shows it: the gathered operator ("METHOD: gathered"), G
+/// stored and T iterated at run time.
 /// @param scratch  a file to be written and removed again, to know sizes
 std::vector<MeasuredSetting> measured(const std::string& method, const std::string& setting,
                                       const BuiltOperator& built, const ChartedScene& scene,
                                       const JudgedScene& judge, const std::string& scratch,
-                                      bool all_ways);
+                                      Ways ways);
 
 /// Path tracing of every texel anew in each frame, at equal errors: its noise falls with the square
 /// root of its paths.

@@ -87,8 +87,8 @@ SceneSweep swept(const Scene& of, const SweepOptions& options, const Progress& p
             cell_size = one.transport.provenance.cell_size;
             cells = one.cells;
         }
-        append(sweep.settings,
-               measured("default", setting_of(error), one, scene, *judge, options.scratch, true));
+        append(sweep.settings, measured("default", setting_of(error), one, scene, *judge,
+                                        options.scratch, Ways::all));
     }
     sweep.remarks.push_back(fmt::format(
         "Errors are judged by path tracing: {} lamps that no operator was made for, {} places of "
@@ -112,7 +112,7 @@ SceneSweep swept(const Scene& of, const SweepOptions& options, const Progress& p
         }
         append(sweep.settings,
                measured("paper's oracle", fmt::format("threshold {:g}", paper_tolerance * error),
-                        one, scene, *judge, options.scratch, false));
+                        one, scene, *judge, options.scratch, Ways::gathered));
     }
 
     const double coarser = std::sqrt(std::max(1.0, cells / plan.most_dense_cells));
@@ -125,7 +125,8 @@ SceneSweep swept(const Scene& of, const SweepOptions& options, const Progress& p
         asked.truncation = truncation;
         append(sweep.settings,
                measured("compute and compress", fmt::format("truncation {:g}", truncation),
-                        built(scene, asked, progress), scene, *judge, options.scratch, false));
+                        built(scene, asked, progress), scene, *judge, options.scratch,
+                        Ways::gathered_and_stored));
     }
     if (coarser > 1)
         sweep.remarks.push_back(fmt::format(
