@@ -8,21 +8,24 @@
 #include "radiance4d/scene/light.h"
 #include "radiance4d/scene/visibility.h"
 #include "runtime/outgoing/glossy_light.h"
+#include "runtime/outgoing/lamp_spots.h"
 #include "runtime/outgoing/square_mean.h"
 
 namespace lightwell {
 
-/// Lamps whose light on an element is computed where a ray meets it, instead of read: those that
-/// hang so near that its cells cannot show what they light.
+/// Lamps whose light on elements near to them is computed where a ray meets these, instead of read.
 struct ExactLamps {
     const DirectLight* direct = nullptr;
-    std::vector<std::vector<Light>> on;  ///< by element; empty: none anywhere
+    std::vector<NearLamp> lamps;
 };
 
 /// Indirect light at any point by one last gathering over the hemisphere: what surfaces around
 /// reflect, read from a smooth reconstruction, where a ray says which surface. Not blocky, and the
 /// error of the stored light is averaged over all that the point sees. Half of the rays go where
 /// the others found differences: to small bright places, far ones for example (see SquareMean).
+/// Places that a lamp lights from near are too small for that: rays of the lamp look for the point
+/// instead. Where both ways may meet, each counts by its share of the rays (Veach and Guibas 1995,
+/// the balance heuristic).
 class FinalGather {
   public:
     /// The references must outlive the gather.
@@ -43,19 +46,42 @@ class FinalGather {
     GatheredRadiance from_lobe(std::size_t element, const Vec3& point, const Vec3& direction) const;
 
   private:
-    /// Diffusely reflected radiosity at a point of an element [lx].
-    Rgb reflected(std::size_t element, const Vec3& at) const;
-    /// Radiance that surfaces reflect against a ray; zero where it meets none.
-    GatheredRadiance against(const Vec3& point, int on_quad, const Vec3& direction) const;
+    /// One of many that a point sends.
+    struct Ray {
+        const Vec3& point;
+        int quad;  ///< on which the point lies, or free_point
+        Vec3 direction;
+        double per_sr;  ///< rays that are sent about this direction
+    };
+    /// Radiance that surfaces reflect against a ray; zero where it meets none. Of the light of near
+    /// lamps only the share of such rays.
+    GatheredRadiance against(const Ray& ray) const;
+    /// Radiance that an element reflects there, without near lamps.
+    Rgb reflected(std::size_t element, const Vec3& at, const Vec3& towards) const;
+    /// Lamps near to the element: the share of rays that meet it at `per_area` [1/m2].
+    Rgb by_near_lamps(std::size_t element, const Vec3& at, const Vec3& towards,
+                      double per_area) const;
+    /// Whether an element has directions.
+    bool shines(std::size_t element) const {
+        return glossy_ != nullptr && glossy_->is_glossy(element);
+    }
+    /// What a point of an element makes of light from one direction.
+    Rgb brdf_of(std::size_t element, const Vec3& from, const Vec3& towards) const;
+    /// The share of the spots of near lamps. `receives` says of a unit direction what the point
+    /// makes of a radiance from there, and how many rays it sends about it [1/sr].
+    template <typename Receives>
+    Rgb from_spots(const Vec3& point, int on_quad, const Receives& receives) const;
 
     const GlobalTransport& transport_;
     const Visibility& visibility_;
     std::vector<SmoothSurface> incident_;
     const GlossyLight* glossy_;
-    ExactLamps exact_;
-    std::vector<Rgb> albedo_;   ///< mean, by material
-    SquareMean mean_;           ///< over cosine-distributed directions
-    std::vector<Vec2> square_;  ///< a jittered point of each stratum of the unit square
+    const DirectLight* direct_;
+    std::vector<std::vector<Light>> near_;  ///< exact lamps by element; empty: none anywhere
+    std::vector<LampSpot> spots_;           ///< that they light
+    std::vector<Rgb> albedo_;               ///< mean, by material
+    SquareMean mean_;                       ///< over cosine-distributed directions
+    std::vector<Vec2> square_;  ///< a jittered point of each stratum of the unit square: the rays
 };
 
 }  // namespace lightwell

@@ -45,10 +45,15 @@ GlossyLight::GlossyLight(const GlobalTransport& transport, const DirectLight& di
       emitted_(transport.scene, transport.space,
                propagated(transport.bounce, emission_of(transport.scene, transport.space))) {}
 
-Rgb GlossyLight::from_lamps(std::size_t element, const Vec3& point, const Vec3& direction) const {
+Rgb GlossyLight::from(const std::vector<Light>& lamps, std::size_t element, const Vec3& point,
+                      const Vec3& direction) const {
     const int quad = transport_.space.element(element).quad;
-    return lamps_reflected(transport_, direct_, lights_, element,
-                           transport_.scene.material_of(quad), point, direction);
+    return lamps_reflected(transport_, direct_, lamps, element, transport_.scene.material_of(quad),
+                           point, direction);
+}
+
+Rgb GlossyLight::from_lamps(std::size_t element, const Vec3& point, const Vec3& direction) const {
+    return from(lights_, element, point, direction);
 }
 
 Rgb GlossyLight::lobe_from_lamps(std::size_t element, const Vec3& point,

@@ -34,7 +34,10 @@ class GlossyLight {
 
     /// Radiance [cd/m2] towards a unit direction, of the light of lamps, at a point of an element.
     Rgb from_lamps(std::size_t element, const Vec3& point, const Vec3& direction) const;
-    /// The lobe's part of it.
+    /// The same of some lamps alone.
+    Rgb from(const std::vector<Light>& lamps, std::size_t element, const Vec3& point,
+             const Vec3& direction) const;
+    /// The lobe's part of the light of lamps.
     Rgb lobe_from_lamps(std::size_t element, const Vec3& point, const Vec3& direction) const;
     /// The same of indirect light, as the basis holds it.
     Rgb indirect(std::size_t element, const Vec3& point, const Vec3& direction) const;

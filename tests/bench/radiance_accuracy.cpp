@@ -1,15 +1,16 @@
 // How far is the indirect radiance that one sees off, in pictures?
 //
 //     radiance_accuracy FILE.gto [--eye X,Y,Z,TX,TY,TZ]... [--width N] [--height N] [--samples N]
-//     [--pictures P]
+//     [--lights FILE] [--pictures P]
 //
 // prints one CSV row per eye point: relative L2 error of indirect radiance over the pixels, colours
 // together, against the path tracer, whose noise is taken off; gathered as `measure --probes` does
 // it, read from the basis, and so with lamps' light spread as the paper does. Without --eye it is
-// the scene's camera. With --pictures the pictures themselves go to P-eye-gathered.png,
-// P-eye-basis.png and P-eye-traced.png.
+// the scene's camera; --lights stands for the scene's lamps. With --pictures the pictures
+// themselves go to P-eye-gathered.png, P-eye-basis.png and P-eye-traced.png.
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ namespace {
 struct Asked {
     int width = 32, height = 24;
     int samples = 512;
+    std::string lights;
     std::string pictures;
 };
 
@@ -70,10 +72,13 @@ void write(const std::vector<Rgb>& seen, const Asked& asked, double exposure,
 void judge(const OpenedOperator& opened, const Camera& eye, std::size_t number,
            const Asked& asked) {
     const Scene& scene = opened.transport.scene;
-    const LitScene lit(opened, scene.lights);
+    std::optional<std::string> file;
+    if (!asked.lights.empty()) file = asked.lights;
+    const std::vector<Light> lights = chosen_lights(file, scene);
+    const LitScene lit(opened, lights);
     const std::vector<SmoothSurface> surfaces =
         smooth_irradiance(opened.transport.space, lit.lighting().indirect);
-    const LitScene spread(opened, scene.lights, LampDirections::forgotten);
+    const LitScene spread(opened, lights, LampDirections::forgotten);
     const std::vector<SmoothSurface> spread_surfaces =
         smooth_irradiance(opened.transport.space, spread.lighting().indirect);
     const FinalGather gather = lit.gather(gather_strata(opened.transport.provenance.error_asked));
@@ -86,20 +91,20 @@ void judge(const OpenedOperator& opened, const Camera& eye, std::size_t number,
         traced(probes.size());
     tbb::parallel_for(std::size_t{0}, probes.size(), [&](std::size_t k) {
         const auto look = [&](const FinalGather* by) {
-            return seen_light(opened, lit, scene.lights, surfaces, by, probes[k].position,
+            return seen_light(opened, lit, lights, surfaces, by, probes[k].position,
                               probes[k].direction)
                 .indirect;
         };
         gathered[k] = look(&gather);
         read[k] = look(nullptr);
-        papers[k] = seen_light(opened, spread, scene.lights, spread_surfaces, nullptr,
-                               probes[k].position, probes[k].direction)
+        papers[k] = seen_light(opened, spread, lights, spread_surfaces, nullptr, probes[k].position,
+                               probes[k].direction)
                         .indirect;
     });
     PathTracing how;
     how.samples = asked.samples;
     const LightSurvey survey =
-        RadianceTracer(scene, opened.visibility, scene.lights).indirect(probes, how);
+        RadianceTracer(scene, opened.visibility, lights).indirect(probes, how);
     for (std::size_t k = 0; k < probes.size(); ++k)
         traced[k] = survey.at[k].mean;
     fmt::print("{},{:.4f},{:.4f},{:.4f},{:.4f}\n", number, deviation(gathered, survey),
@@ -129,6 +134,7 @@ int main(int argc, char** argv) {
     app.add_option("--width", asked.width, "pixels");
     app.add_option("--height", asked.height, "pixels");
     app.add_option("--samples", asked.samples, "paths a pixel");
+    app.add_option("--lights", asked.lights, "lamps instead of the scene's, as in a scene file");
     app.add_option("--pictures", asked.pictures, "prefix of the pictures to write");
     CLI11_PARSE(app, argc, argv);
     std::vector<std::vector<double>> eyes;

@@ -293,7 +293,7 @@ TEST(GlossyAttempts, ShrinkCellsMost) {
     Settings settings{0.4, 1e-4, 0.06, 0.6};
     tighten_glossy(options, 3, settings);
     EXPECT_DOUBLE_EQ(settings.cell_size, 0.2);
-    EXPECT_DOUBLE_EQ(settings.angular_tolerance, 0.3);
+    EXPECT_DOUBLE_EQ(settings.angular_tolerance, 0.6 * std::sqrt(0.5));
     EXPECT_LT(settings.oracle_tolerance, 1e-4);
     EXPECT_LT(settings.truncation, 0.06);
     options.cell_size = 0.2;

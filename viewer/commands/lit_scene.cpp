@@ -48,7 +48,7 @@ LitScene::LitScene(const OpenedOperator& opened, const std::vector<Light>& light
 FinalGather LitScene::gather(int strata) const {
     const RadianceSpace& space = opened_.transport.space;
     RadianceField incident = lighting_.direct + lighting_.indirect;
-    ExactLamps exact{&direct_, std::vector<std::vector<Light>>(space.elements().size())};
+    ExactLamps exact{&direct_, {}};
     for (const Light& light : lights_) {
         const std::vector<std::size_t> near = too_near(space, light);
         if (near.empty()) continue;
@@ -58,8 +58,8 @@ FinalGather LitScene::gather(int strata) const {
             const Element& element = space.element(e);
             incident.middleRows(element.first, element.functions()) -=
                 alone.middleRows(element.first, element.functions());
-            exact.on[e].push_back(light);
         }
+        exact.lamps.push_back({light, near});
     }
     return {opened_.transport, opened_.visibility, smooth_irradiance(space, incident), strata,
             glossy_.get(),     std::move(exact)};
