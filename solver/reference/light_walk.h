@@ -37,7 +37,7 @@ class PathChoices {
 
     RandomStream& random_;
     std::size_t path_ = 0;
-    std::array<std::vector<Vec2>, stratified_vertices * kinds> tables_;
+    std::array<std::vector<Vec2>, std::size_t{stratified_vertices} * kinds> tables_;
 };
 
 /// One path after the other through a scene with lamps and emitting quads; each gives an unbiased
