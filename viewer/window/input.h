@@ -113,8 +113,13 @@ struct PictureInput {
     bool whole_window = false;
 };
 
+/// Writes how many bytes are in use after the frame into a file; only recorded input asks for it.
+struct MemoryInput {
+    std::string path;
+};
+
 using Input = std::variant<KeyInput, TextInput, ButtonInput, CursorInput, WheelInput, SizeInput,
-                           DropInput, FocusLost, PictureInput>;
+                           DropInput, FocusLost, PictureInput, MemoryInput>;
 
 /// What happened before a frame, and how long the frame before it took.
 struct InputFrame {

@@ -95,6 +95,7 @@ Input input_from(const Token& verb, Statement& statement) {
     if (verb.text == "drop") return DropInput{statement.path()};
     if (verb.text == "picture") return PictureInput{statement.path(), false};
     if (verb.text == "window") return PictureInput{statement.path(), true};
+    if (verb.text == "memory") return MemoryInput{statement.path()};
     if (verb.text == "focus") {
         const Token what = statement.word("lost");
         if (what.text != "lost") statement.refuse(what, "not 'lost'");
@@ -131,6 +132,7 @@ struct Writer {
     std::string operator()(const PictureInput& i) const {
         return (i.whole_window ? "window " : "picture ") + i.path;
     }
+    std::string operator()(const MemoryInput& i) const { return "memory " + i.path; }
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ namespace lightwell {
 /// | focus lost        | the window is left                                                   |
 /// | picture PATH      | the picture is written to a .png or .exr                             |
 /// | window PATH       | the window, with the panel, is written to a .png                     |
+/// | memory PATH       | the bytes in use after the frame are written to a file, as a number  |
 /// | frame SECONDS     | a frame is drawn, that long after the one before; then it goes on    |
 /// | frames N SECONDS  | N of these                                                           |
 ///

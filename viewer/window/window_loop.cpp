@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <GL/glcorearb.h>
+#include <fmt/format.h>
 
 #include "radiance4d/atomic_file.h"
 #include "radiance4d/failure.h"
@@ -16,6 +17,7 @@
 #include "solver/reading/scene_reader.h"
 #include "viewer/commands/stop_signal.h"
 #include "viewer/window/files.h"
+#include "viewer/window/memory_in_use.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/recording.h"
 #include "viewer/window/window_picture.h"
@@ -191,6 +193,9 @@ void WindowLoop::draw(const InputFrame& frame) {
     for (const Input& input : frame.inputs)
         if (const auto* wanted = std::get_if<PictureInput>(&input)) write(*wanted);
     window_.show();
+    for (const Input& input : frame.inputs)
+        if (const auto* asked = std::get_if<MemoryInput>(&input))
+            write_atomically(asked->path, fmt::format("{}\n", bytes_in_use()));
 }
 
 void WindowLoop::draw_picture() {

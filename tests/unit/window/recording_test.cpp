@@ -41,7 +41,7 @@ TEST(Recording, WhatIsWrittenIsReadBack) {
         {SizeInput{640, 480}, KeyInput{Key::shift, true}, KeyInput{Key::digit_7, false},
          TextInput{U'?'}, ButtonInput{MouseButton::middle, true}, CursorInput{{1.0 / 3, 2}},
          WheelInput{-1.5}, DropInput{"/a folder/\xc3\xa9.gto"}, FocusLost{},
-         PictureInput{"p.exr", false}, PictureInput{"w.png", true}}};
+         PictureInput{"p.exr", false}, PictureInput{"w.png", true}, MemoryInput{"m.txt"}}};
     const std::string text = text_of(frame);
     const auto read = input_from_text(text, "r.txt");
     ASSERT_EQ(read.size(), 1u);
