@@ -69,10 +69,14 @@ bool is_angular_square(const std::vector<Split>& splits) {
                        [](Split split) { return split == Split::both; });
 }
 
+const Rgb& intensity_of(const Light& light) {
+    return std::visit([](const auto& any) -> const Rgb& { return any.intensity; }, light);
+}
+
 std::string flaw_of_light(const Light& light) {
     if (!position_of(light).allFinite()) return "its position is not finite";
     const auto* spot = std::get_if<SpotLight>(&light);
-    const Rgb& intensity = spot ? spot->intensity : std::get<PointLight>(light).intensity;
+    const Rgb& intensity = intensity_of(light);
     if (!(intensity >= 0).all() || !intensity.isFinite().all())
         return "its intensity is not finite and >= 0";
     if (!spot) return {};
@@ -181,6 +185,22 @@ std::string flaw_of_surroundings(const Scene& scene) {
         if (!is_sane(scene.sensor_grids[g]))
             return fmt::format("sensor grid {} is not finite or has no sensors", g);
     return scene.camera ? flaw_of_camera(*scene.camera) : std::string();
+}
+
+std::string flaw_of_dimmers(const std::vector<DimmedLight>& lights, const Scene& scene) {
+    if (lights.size() != scene.lights.size())
+        return fmt::format("dimmers of {} lights, where the scene has {}", lights.size(),
+                           scene.lights.size());
+    const std::vector<Light> shine = shining(lights);
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+        if (const std::string flaw = flaw_of_light(lights[l].light); !flaw.empty())
+            return fmt::format("light {}: {}", l, flaw);
+        if (!(lights[l].dimmer >= 0 && lights[l].dimmer <= 1))
+            return fmt::format("light {}: its dimmer is not within 0 and 1", l);
+        if (!(intensity_of(shine[l]) == intensity_of(scene.lights[l])).all())
+            return fmt::format("light {} does not shine as its dimmer says", l);
+    }
+    return {};
 }
 
 std::string flaw_of_space(const std::vector<ElementShape>& shapes, const Scene& scene) {

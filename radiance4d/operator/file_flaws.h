@@ -5,6 +5,7 @@
 
 #include "radiance4d/operator/space_chunk.h"
 #include "radiance4d/operator/transport_operator.h"
+#include "radiance4d/scene/dimmed_light.h"
 #include "radiance4d/scene/scene.h"
 
 namespace lightwell {
@@ -19,6 +20,8 @@ constexpr int most_levels = 28;
 std::string flaw_of_surfaces(const Scene& scene);
 /// Lights, camera and sensor grids.
 std::string flaw_of_surroundings(const Scene& scene);
+/// Lights of a scene before they are dimmed: sane, and as many and as bright as the scene has them.
+std::string flaw_of_dimmers(const std::vector<DimmedLight>& lights, const Scene& scene);
 /// Elements: each side of a quad at most once; quads planar to 1e-3 of their size, strictly convex;
 /// trees no finer than 2^28 cells, all together less than 2^32 functions.
 std::string flaw_of_space(const std::vector<ElementShape>& shapes, const Scene& scene);

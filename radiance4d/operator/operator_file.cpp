@@ -25,7 +25,8 @@ namespace lightwell {
 
 namespace {
 
-constexpr std::size_t single_chunks = 7;  // SCEN LITE SPAC CHAN DTOI DTOV PROV, without LOBE
+constexpr std::size_t single_chunks =
+    7;  // SCEN LITE SPAC CHAN DTOI DTOV PROV, without LOBE and dimm
 
 std::string flaw_of_channels(const std::array<int, 3>& channel, std::size_t distinct) {
     if (distinct < 1 || distinct > 3) return fmt::format("{} distinct channels", distinct);
@@ -119,6 +120,13 @@ class OperatorFileReader {
         return scene;
     }
 
+    /// The lights of the scene, before they are dimmed.
+    std::vector<DimmedLight> lights(const Scene& scene) const {
+        if (source_.count("dimm") == 0) return undimmed(scene.lights);
+        require_count("dimm", 1);
+        return decode("dimm", 0, [&](ByteReader& reader) { return read_dimmers(reader, scene); });
+    }
+
     std::vector<ElementShape> shapes(const Scene& scene) const {
         return decode("SPAC", 0, [&](ByteReader& reader) { return read_space(reader, scene); });
     }
@@ -164,7 +172,7 @@ class OperatorFileReader {
 
   private:
     static bool is_known(const std::string& tag) {
-        const auto known = {"SCEN", "LOBE", "LITE", "SPAC", "CHAN",
+        const auto known = {"SCEN", "LOBE", "LITE", "dimm", "SPAC", "CHAN",
                             "DTOI", "DTOV", "GTOI", "GTOV", "PROV"};
         return std::find(known.begin(), known.end(), tag) != known.end();
     }
@@ -199,16 +207,20 @@ class OperatorFileReader {
 }  // namespace
 
 void write_operator_file(const std::string& path, const GlobalTransport& transport,
-                         const std::string& options_json) {
+                         const std::string& options_json, const std::vector<DimmedLight>& lights) {
     const std::vector<ElementShape> shapes = shapes_of(transport.space);
-    if (const std::string flaw = flaw_of(transport, shapes); !flaw.empty())
-        throw BrokenInvariant("a transport that cannot be written: " + flaw);
+    std::string flaw = flaw_of(transport, shapes);
+    if (flaw.empty() && !lights.empty()) flaw = flaw_of_dimmers(lights, transport.scene);
+    if (!flaw.empty()) throw BrokenInvariant("a transport that cannot be written: " + flaw);
 
     const std::string lobes = lobes_bytes(transport.scene);
-    FileAssembly file(single_chunks + (lobes.empty() ? 0 : 1) + 2 * transport.indirect.size());
+    const std::string dimmers = dimmers_bytes(lights);
+    FileAssembly file(single_chunks + (lobes.empty() ? 0 : 1) + (dimmers.empty() ? 0 : 1) +
+                      2 * transport.indirect.size());
     file.add("SCEN", surfaces_bytes(transport.scene));
     if (!lobes.empty()) file.add("LOBE", lobes);
     file.add("LITE", surroundings_bytes(transport.scene));
+    if (!dimmers.empty()) file.add("dimm", dimmers);
     file.add("SPAC", space_bytes(shapes));
     file.add("CHAN", channel_bytes(transport));
     file.add("DTOI", index_bytes(transport.bounce.upper));
@@ -221,11 +233,14 @@ void write_operator_file(const std::string& path, const GlobalTransport& transpo
     write_atomically(path, file.finished(scene_hash(transport.scene)));
 }
 
-GlobalTransport read_operator_file(const std::string& path) {
+GlobalTransport read_operator_file(const std::string& path, std::vector<DimmedLight>* lights) {
     try {
         const OperatorFileReader file(path);
         GlobalTransport transport;
         transport.scene = file.scene();
+        // Read where nobody wants them, too: they may be damaged.
+        const std::vector<DimmedLight> undimmed = file.lights(transport.scene);
+        if (lights) *lights = undimmed;
         const std::vector<ElementShape> shapes = file.shapes(transport.scene);
         const std::uint64_t functions = functions_of(shapes);
         transport.channel = file.channel();
@@ -261,6 +276,7 @@ OperatorFileInfo inspect_operator_file(const std::string& path) {
     info.scene_hash = source.scene_hash();
     info.chunks = source.chunks();
     info.scene = file.scene();
+    info.lights = file.lights(info.scene);
     const std::vector<ElementShape> shapes = file.shapes(info.scene);
     info.elements = shapes.size();
     info.functions = functions_of(shapes);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radiance4d/operator/global_transport.h"
+#include "radiance4d/scene/dimmed_light.h"
 
 namespace lightwell {
 
@@ -40,6 +41,8 @@ namespace lightwell {
 /// |       | point, 1 spot), name, position, intensity, for spots direction, inner and outer    |
 /// |       | angle (doubles); u8 camera present, position, target, up, vertical angle; number of |
 /// |       | sensor grids, each: name, origin, along, across, normal, columns, rows             |
+/// | dimm  | only where a light of LITE, which holds them as they shine, is dimmed or off; per  |
+/// |       | light: full intensity (3 doubles), dimmer (double), u8 on                          |
 /// | SPAC  | number of elements, each: quad, u8 side (0 front, 1 back), u8 levels of the        |
 /// |       | spatial tree, u8 levels of the angular tree, their splits (u8: 0 u, 1 v, 2 both);  |
 /// |       | u8 masks present, then the open mask of every finest cell (u64)                    |
@@ -57,17 +60,21 @@ namespace lightwell {
 ///
 /// Writes the file so that `path` holds all of it or what it held before (see write_atomically).
 /// @param options_json  a JSON object: what the user asked for, kept with the provenance
+/// @param lights        those of the transport's scene, before they are dimmed; none: they are not
 /// @throws InputError or SystemError as write_atomically does; BrokenInvariant if the transport
 /// holds what read_operator_file would refuse.
 void write_operator_file(const std::string& path, const GlobalTransport& transport,
-                         const std::string& options_json = "{}");
+                         const std::string& options_json = "{}",
+                         const std::vector<DimmedLight>& lights = {});
 
 /// Reads and checks a whole file: checksums of all bytes, then every value (indices in range, rows
 /// ascending, numbers finite, reflectance in [0,1], quads of elements planar and convex, ...).
 /// @throws InputError that names the file, the chunk and the flaw if the file is damaged, cut
 /// short, of another kind or of a newer version; SystemError if the disk fails or memory does not
 /// suffice.
-GlobalTransport read_operator_file(const std::string& path);
+/// @param lights  unless null, takes the lights of the scene, before they are dimmed
+GlobalTransport read_operator_file(const std::string& path,
+                                   std::vector<DimmedLight>* lights = nullptr);
 
 /// One entry of the chunk table.
 struct ChunkSummary {
@@ -86,6 +93,7 @@ struct OperatorFileInfo {
     std::uint64_t scene_hash = 0;
     std::vector<ChunkSummary> chunks;
     Scene scene;
+    std::vector<DimmedLight> lights;  ///< of the scene, before they are dimmed
     std::uint64_t elements = 0;
     std::uint64_t functions = 0;                  ///< of the radiance space
     std::uint64_t dto_coefficients = 0;           ///< each unordered pair once

@@ -67,12 +67,16 @@ SceneQuad read_quad(ByteReader& reader) {
     return quad;
 }
 
+const Rgb& intensity_of(const Light& light) {
+    return std::visit([](const auto& any) -> const Rgb& { return any.intensity; }, light);
+}
+
 void write(ByteWriter& writer, const Light& light) {
     const auto* spot = std::get_if<SpotLight>(&light);
     writer.number(static_cast<std::uint8_t>(light.index()));
     writer.text(name_of(light));
     writer.triple(position_of(light));
-    writer.triple(spot ? spot->intensity : std::get<PointLight>(light).intensity);
+    writer.triple(intensity_of(light));
     if (!spot) return;
     writer.triple(spot->direction);
     writer.number(spot->inner_angle);
@@ -204,6 +208,31 @@ void read_surroundings(ByteReader& reader, Scene& scene) {
         scene.sensor_grids.push_back(read_grid(reader));
     reader.finish();
     reader.require_no(flaw_of_surroundings(scene));
+}
+
+std::string dimmers_bytes(const std::vector<DimmedLight>& lights) {
+    ByteWriter writer;
+    bool any = false;
+    for (const DimmedLight& dimmed : lights) {
+        any = any || !dimmed.on || dimmed.dimmer != 1;
+        writer.triple(intensity_of(dimmed.light));
+        writer.number(dimmed.dimmer);
+        writer.number(static_cast<std::uint8_t>(dimmed.on));
+    }
+    return any ? writer.bytes() : std::string();
+}
+
+std::vector<DimmedLight> read_dimmers(ByteReader& reader, const Scene& scene) {
+    std::vector<DimmedLight> lights = undimmed(scene.lights);
+    for (DimmedLight& dimmed : lights) {
+        const Rgb intensity = reader.colour();
+        std::visit([&](auto& any) { any.intensity = intensity; }, dimmed.light);
+        dimmed.dimmer = reader.number<double>();
+        dimmed.on = reader.choice(2) == 1;
+    }
+    reader.finish();
+    reader.require_no(flaw_of_dimmers(lights, scene));
+    return lights;
 }
 
 }  // namespace lightwell

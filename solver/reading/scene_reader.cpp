@@ -59,8 +59,9 @@ std::string default_material_from(const TomlTable& file,
               fmt::format("there is no [material.{}] in the file", in_quotes(name)));
 }
 
-/// Reads the scene file itself into `scene` and says where the geometry is.
-GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
+/// Reads the scene file itself and says where the geometry is.
+GeometryChoice read_scene_file(const std::string& path, ReadScene& read) {
+    Scene& scene = read.scene;
     const TomlTable file = TomlTable::read(path);
     GeometryChoice geometry;
     if (file.has("name")) scene.name = file.text("name");
@@ -74,7 +75,8 @@ GeometryChoice read_scene_file(const std::string& path, Scene& scene) {
     geometry.materials = materials_from(file);
     if (file.has("default_material"))
         geometry.default_material = default_material_from(file, geometry.materials);
-    scene.lights = shining(lights_from(file));
+    read.lights = lights_from(file);
+    scene.lights = shining(read.lights);
     if (file.has("camera")) scene.camera = camera_from(file.table("camera"), scene.up);
     scene.sensor_grids = sensor_grids_from(file);
     file.refuse_unknown_keys();
@@ -146,7 +148,7 @@ ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one, const Ba
             throw InputError(Place{path},
                              "is a scene file, which says itself what unit its geometry has and "
                              "which way is up; only bare geometry needs to be told");
-        geometry = read_scene_file(path, read.scene);
+        geometry = read_scene_file(path, read);
     } else if (!is_mesh_file(path)) {
         throw InputError(Place{path},
                          "a scene is a scene file (.toml) or a geometry file (.obj, "

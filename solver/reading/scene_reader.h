@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "radiance4d/scene/dimmed_light.h"
 #include "radiance4d/scene/scene.h"
 #include "solver/reading/bare_geometry.h"
-#include "solver/reading/dimmed_light.h"
 #include "solver/reading/material_choice.h"
 #include "solver/reading/reading_report.h"
 
@@ -14,6 +14,7 @@ namespace lightwell {
 /// A scene and what reading it met with.
 struct ReadScene {
     Scene scene;
+    std::vector<DimmedLight> lights;  ///< of the scene, before they are dimmed
     ReadingReport report;
 };
 

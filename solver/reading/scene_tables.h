@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "radiance4d/scene/dimmed_light.h"
 #include "radiance4d/scene/scene.h"
-#include "solver/reading/dimmed_light.h"
 #include "solver/reading/mtl_reader.h"
 #include "solver/reading/toml_table.h"
 

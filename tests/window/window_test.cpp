@@ -243,6 +243,37 @@ TEST_F(CornellBoxWindow, ASceneIsComputedWhileOneLooks) {
     EXPECT_NE(visit["messages"][0].get<std::string>().find("30 %"), std::string::npos);
 }
 
+TEST_F(CornellBoxWindow, ALampThatIsOffInTheSceneComesBackInItsFile) {
+    const std::string box =
+        std::filesystem::path(sample_scene("cornell-box")).parent_path() / "cornell-box.obj";
+    file_ = precomputed(folder_, folder_.write("off.toml", "geometry = '" + box +
+                                                               "'\n[[light]]\ntype = \"point\"\n"
+                                                               "position = [1, 2, 3]\nintensity = "
+                                                               "40\ndimmer = 0.5\non = false\n"));
+    const Json visit = replayed(tap("space"));
+    ASSERT_EQ(visit["lights"].size(), 1u);
+    EXPECT_EQ(visit["lights"][0]["on"], true);
+    EXPECT_EQ(visit["lights"][0]["dimmer"], 0.5);
+    EXPECT_EQ(visit["lights"][0]["intensity"][0], 40);
+    EXPECT_EQ(replayed("frame 0.02\n")["lights"][0]["on"], false);
+    const ProgramRun resumed = lightwell(
+        {"precompute", "--resume", file_, "--error", "0.25", "--attempts", "0", "--quiet"});
+    EXPECT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_EQ(replayed(tap("space"))["lights"][0]["intensity"][0], 40);
+}
+
+TEST_F(CornellBoxWindow, WhatMakesLightIsScaledOnRequest) {
+    file_ = folder_.write("two.obj",
+                          "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\n"
+                          "v 1 1 1\nv 0 1 1\nusemtl mirror\nf 1 2 3 4\nf 8 7 6 5\n");
+    folder_.write("two.mtl", "newmtl mirror\nKd 0.7 0.7 0.7\nKs 0.5 0.5 0.5\nNs 1\n");
+    EXPECT_EQ(lightwell({"view", file_}).status, 1);
+    const Json visit =
+        replayed("frame 0.02\n", {"--error", "0.3", "--max-memory", "2G", "--scale-albedo"});
+    EXPECT_NE(visit["messages"].dump().find("scaled by 0.8333"), std::string::npos)
+        << visit["messages"];
+}
+
 TEST_F(CornellBoxWindow, FilesAreDroppedOnIt) {
     const std::string lights = folder_.write(
         "two.toml",

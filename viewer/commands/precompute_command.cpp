@@ -84,15 +84,15 @@ GlobalTransport compute(const Scene& scene, const PrecomputeRequest& request,
 }
 
 /// The scene, and what is to be said about it.
-Scene read_scene_of(PrecomputeRequest& request) {
+ReadScene read_scene_of(PrecomputeRequest& request) {
     if (!request.resumed.empty()) return take_up(request);
     ReadScene read = read_scene_argument(request.scene, request.above_one, request.bare);
-    if (request.quiet) return std::move(read.scene);
+    if (request.quiet) return read;
     const std::string assumption = assumption_text(request.scene, request.bare);
     if (!assumption.empty()) print_message(assumption);
     for (const Warning& warning : read.report.warnings)
         print_message(Warning{warning.place, "warning: " + warning.message}.to_string());
-    return std::move(read.scene);
+    return read;
 }
 
 bool is_reached(const Provenance& provenance, double error) {
@@ -115,11 +115,11 @@ bool is_worth_keeping(const PrecomputeRequest& request, const Provenance& unfini
 }
 
 /// Writes what there was when it was interrupted, and says so.
-[[noreturn]] void end_unfinished(const PrecomputeRequest& request,
-                                 const GlobalTransport& transport) {
+[[noreturn]] void end_unfinished(const PrecomputeRequest& request, const GlobalTransport& transport,
+                                 const std::vector<DimmedLight>& lights) {
     if (!is_worth_keeping(request, transport.provenance))
         throw Interrupted(fmt::format("stopped on request; {} is as it was", request.output));
-    write_operator_file(request.output, transport, options_json(request.options));
+    write_operator_file(request.output, transport, options_json(request.options), lights);
     throw Interrupted(fmt::format(
         "stopped on request; {} holds what there was: {:.3g} % asked, {}. precompute --resume {} "
         "goes on",
@@ -132,11 +132,12 @@ bool is_worth_keeping(const PrecomputeRequest& request, const Provenance& unfini
 void run_precompute(PrecomputeRequest request) {
     PrecomputeReport report;
     if (request.resumed.empty()) require_writable(request.output);
-    const Scene scene = timed(report.seconds, "reading", [&] { return read_scene_of(request); });
+    const ReadScene read = timed(report.seconds, "reading", [&] { return read_scene_of(request); });
+    const Scene& scene = read.scene;
     if (request.options.earlier && is_reached(*request.options.earlier, request.options.error)) {
         if (request.output != request.resumed)
             write_operator_file(request.output, read_operator_file(request.resumed),
-                                options_json(request.options));
+                                options_json(request.options), read.lights);
         if (!request.quiet)
             print_message(fmt::format("{}: {:.3g} % asked, {}: nothing to do", request.resumed,
                                       100 * request.options.error,
@@ -152,9 +153,10 @@ void run_precompute(PrecomputeRequest request) {
             "with the square of the cells, time with their cube");
 
     const GlobalTransport transport = compute(scene, request, report);
-    if (report.interrupted) end_unfinished(request, transport);
-    timed(report.seconds, "writing",
-          [&] { write_operator_file(request.output, transport, options_json(request.options)); });
+    if (report.interrupted) end_unfinished(request, transport, read.lights);
+    timed(report.seconds, "writing", [&] {
+        write_operator_file(request.output, transport, options_json(request.options), read.lights);
+    });
 
     // Said even where only the object is wanted: a number that was asked for and not reached is not
     // for small print.

@@ -29,7 +29,7 @@ std::string options_json(const PrecomputeOptions& options) {
     return json.dump();
 }
 
-Scene take_up(PrecomputeRequest& request) {
+ReadScene take_up(PrecomputeRequest& request) {
     const OperatorFileInfo info = inspect_operator_file(request.resumed);
     const nlohmann::json asked = nlohmann::json::parse(info.options_json);
     PrecomputeOptions& options = request.options;
@@ -45,7 +45,7 @@ Scene take_up(PrecomputeRequest& request) {
     options.diffuse = options.diffuse || asked.value("diffuse", false);
     options.earlier = info.provenance;
     if (request.output.empty()) request.output = request.resumed;
-    return info.scene;
+    return {info.scene, info.lights, {}};
 }
 
 }  // namespace lightwell

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiance4d/scene/scene.h"
+#include "solver/reading/scene_reader.h"
 #include "viewer/commands/precompute_command.h"
 
 namespace lightwell {
@@ -8,9 +8,9 @@ namespace lightwell {
 /// Completes a request that goes on from a file: what it does not say itself, the file says
 /// (output, error, what was set by hand), and what the file reached is remembered.
 ///
-/// @return the file's scene
+/// @return the file's scene, and its lights
 /// @throws as inspect_operator_file
-Scene take_up(PrecomputeRequest& request);
+ReadScene take_up(PrecomputeRequest& request);
 
 /// What the computation was asked for, as the file keeps it; read by take_up.
 std::string options_json(const PrecomputeOptions& options);

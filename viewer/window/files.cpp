@@ -79,11 +79,15 @@ void save_lights(const Visit& visit) {
     write_atomically(visit.lights_file, lights_and_camera_text(lights, visit.camera.camera()));
 }
 
+std::vector<EditedLight> edited(const std::vector<DimmedLight>& lights) {
+    std::vector<EditedLight> all;
+    for (const DimmedLight& dimmed : lights)
+        all.push_back({dimmed.light, dimmed.on, dimmed.dimmer});
+    return all;
+}
+
 std::vector<EditedLight> edited_lights(const std::string& path) {
-    std::vector<EditedLight> lights;
-    for (const DimmedLight& dimmed : read_dimmed_lights(path))
-        lights.push_back({dimmed.light, dimmed.on, dimmed.dimmer});
-    return lights;
+    return edited(read_dimmed_lights(path));
 }
 
 void load_lights(const std::string& path, const Vec3& up, Visit& visit) {

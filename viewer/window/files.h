@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "radiance4d/scene/dimmed_light.h"
 #include "viewer/images/image.h"
 #include "viewer/window/lit_scene.h"
 #include "viewer/window/visit.h"
@@ -26,6 +27,8 @@ std::string next_free_name(const std::string& stem, const std::string& extension
 
 /// Writes the lights, those that are off included, and the view to visit.lights_file.
 void save_lights(const Visit& visit);
+/// Lights as they are edited.
+std::vector<EditedLight> edited(const std::vector<DimmedLight>& lights);
 /// The lights of a file as they are edited. @throws as read_lights
 std::vector<EditedLight> edited_lights(const std::string& path);
 /// Reads lights, and the view if the file has one. @throws as read_lights

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "radiance4d/failure.h"
-#include "solver/precompute.h"
 #include "viewer/commands/progress_line.h"
 #include "viewer/commands/scene_argument.h"
 
@@ -72,6 +71,11 @@ Progress Loading::Desk::progress() {
     return progress;
 }
 
+void Loading::Desk::say(std::string message) {
+    const std::lock_guard lock(loading_.mutex_);
+    loading_.state_.said.push_back(std::move(message));
+}
+
 void Loading::Desk::deliver(OpenedOperator opened) {
     auto shared = std::make_shared<const OpenedOperator>(std::move(opened));
     const std::lock_guard lock(loading_.mutex_);
@@ -85,21 +89,24 @@ Loading::Work reading_of(const std::string& path) {
     };
 }
 
-Loading::Work precomputation_of(const std::string& path, const BareGeometry& bare, double error) {
-    return [path, bare, error](Loading::Desk& desk) {
+Loading::Work precomputation_of(const std::string& path, const SceneComputation& how) {
+    return [path, how](Loading::Desk& desk) {
         desk.begin("reading " + path);
-        const Scene scene = read_scene_argument(path, AlbedoAboveOne::refuse, bare).scene;
-        for (const double step : errors_on_the_way(error)) {
+        const ReadScene read = read_scene_argument(path, how.above_one, how.bare);
+        for (const Warning& warning : read.report.warnings)
+            desk.say(warning.to_string());
+        for (const double step : errors_on_the_way(how.error)) {
             desk.begin(fmt::format("computing to {:.3g} %", 100 * step));
             PrecomputeOptions options;
             options.error = step;
+            options.max_memory = how.max_memory;
             // What is only on the way need not be judged.
-            if (step != error) options.most_attempts = 0;
+            if (step != how.error) options.most_attempts = 0;
             PrecomputeReport report;
-            GlobalTransport transport = precompute(scene, options, desk.progress(), report);
+            GlobalTransport transport = precompute(read.scene, options, desk.progress(), report);
             desk.progress().check();
             transport.provenance.program = "lightwell " LIGHTWELL_VERSION;
-            desk.deliver(opened(std::move(transport)));
+            desk.deliver(opened(std::move(transport), read.lights));
         }
     };
 }

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "radiance4d/progress.h"
+#include "solver/precompute.h"
 #include "solver/reading/bare_geometry.h"
+#include "solver/reading/scene_reader.h"
 #include "viewer/commands/opened_operator.h"
 
 namespace lightwell {
@@ -23,10 +25,11 @@ using SharedOperator = std::shared_ptr<const OpenedOperator>;
 
 /// Where loading stands.
 struct LoadingState {
-    std::string doing;           ///< for people: "reading box.gto", "5 %: links"
-    double share = 0;            ///< of the work now under way, in [0,1]
-    bool is_over = false;        ///< nothing more will come
-    std::exception_ptr failure;  ///< why it ended early; null if it did not
+    std::string doing;              ///< for people: "reading box.gto", "5 %: links"
+    double share = 0;               ///< of the work now under way, in [0,1]
+    bool is_over = false;           ///< nothing more will come
+    std::vector<std::string> said;  ///< what people should know of what is loaded
+    std::exception_ptr failure;     ///< why it ended early; null if it did not
 };
 
 /// Work on a thread of its own that brings operators into the window, one or, each better than the
@@ -41,6 +44,8 @@ class Loading {
         void begin(const std::string& doing);
         /// Reports to the window; its stages are those of precompute.
         Progress progress();
+        /// Tells people something, once it is over.
+        void say(std::string message);
         /// Hands an operator over.
         void deliver(OpenedOperator opened);
 
@@ -71,8 +76,15 @@ class Loading {
 
 /// Reads a .gto file.
 Loading::Work reading_of(const std::string& path);
+/// How a scene is computed in the window; each field as in PrecomputeRequest and its options.
+struct SceneComputation {
+    BareGeometry bare;
+    AlbedoAboveOne above_one = AlbedoAboveOne::refuse;
+    double error = PrecomputeOptions().error;
+    std::uint64_t max_memory = PrecomputeOptions().max_memory;  ///< [bytes]
+};
 /// Precomputes a scene, first coarsely and soon, then to the error asked for.
-Loading::Work precomputation_of(const std::string& scene, const BareGeometry& bare, double error);
+Loading::Work precomputation_of(const std::string& scene, const SceneComputation& how);
 
 /// The errors on the way to `error`, coarse to fine, the last being `error` itself.
 std::vector<double> errors_on_the_way(double error);

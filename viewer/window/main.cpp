@@ -56,14 +56,26 @@ void view(int argc, char** argv) {
     add("--size", "WxH", "pixels of the window; 1280x800 by default",
         [&](const std::string& text) { request.size = size_argument("--size", text); });
     add("--error", "E", "relative error that a scene is computed to; 0.05 by default",
-        [&](const std::string& text) { request.error = error_argument("--error", text); });
+        [&](const std::string& text) {
+            request.computation.error = error_argument("--error", text);
+        });
     add("--unit", "UNIT",
         "of bare geometry (.obj, .ply): m (default), cm, mm, in, ft, or its length in metres",
         [&](const std::string& text) {
-            request.bare.metres_per_unit = unit_argument("--unit", text);
+            request.computation.bare.metres_per_unit = unit_argument("--unit", text);
         });
     add("--up", "AXIS", "which axis of bare geometry points up: x, y or z (default)",
-        [&](const std::string& text) { request.bare.up = axis_argument("--up", text); });
+        [&](const std::string& text) {
+            request.computation.bare.up = axis_argument("--up", text);
+        });
+    add("--max-memory", "SIZE", "memory that computing a scene may take; 8G by default",
+        [&](const std::string& text) {
+            request.computation.max_memory = memory_argument("--max-memory", text);
+        });
+    app.add_flag_callback(
+        "--scale-albedo", [&] { request.computation.above_one = AlbedoAboveOne::scale; },
+        "scale down materials that reflect more light than they receive, instead of refusing the "
+        "scene");
     add("--projection", "WAY",
         "of lamps: rays, queries (occlusion queries), or fastest (default), measured at the start",
         [&](const std::string& text) {

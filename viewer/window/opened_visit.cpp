@@ -52,12 +52,12 @@ void WindowLoop::open(const std::string& path) {
     if (kind == FileKind::lights)
         throw InputError(Place{path}, "holds lights, not a scene; give it after --lights");
     const bool is_named = path == request_.subject;
-    if (is_named && kind == FileKind::operator_file && request_.bare.says_anything())
+    if (is_named && kind == FileKind::operator_file && request_.computation.bare.says_anything())
         throw InputError(Place{path}, "is an operator, and knows its unit");
-    const BareGeometry bare = is_named || is_mesh_file(path) ? request_.bare : BareGeometry();
-    loading_ = std::make_unique<Loading>(kind == FileKind::operator_file
-                                             ? reading_of(path)
-                                             : precomputation_of(path, bare, request_.error));
+    SceneComputation how = request_.computation;
+    if (!is_named && !is_mesh_file(path)) how.bare = BareGeometry();
+    loading_ = std::make_unique<Loading>(
+        kind == FileKind::operator_file ? reading_of(path) : precomputation_of(path, how));
     path_ = path;
     if (kind == FileKind::operator_file)
         watch_.emplace(path);
@@ -81,6 +81,8 @@ void WindowLoop::take_loaded() {
     if (const SharedOperator opened = loading_->take()) enter(opened);
     if (!loading_state_.is_over) return;
     loading_.reset();
+    for (const std::string& message : loading_state_.said)
+        visit_.say(message);
     if (!loading_state_.failure) return;
     if (!scene_) std::rethrow_exception(loading_state_.failure);
     visit_.say(message_of(loading_state_.failure));
@@ -102,7 +104,7 @@ void WindowLoop::enter(const SharedOperator& opened) {
     const Provenance& provenance = opened->transport.provenance;
     visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
                            100 * provenance.error_asked));
-    const std::string assumption = assumption_text(path_, request_.bare);
+    const std::string assumption = assumption_text(path_, request_.computation.bare);
     if (is_new_visit_ && !assumption.empty()) visit_.say(assumption);
     is_new_visit_ = false;
     frames_to_draw_ = frames_after_change;
@@ -112,7 +114,7 @@ void WindowLoop::begin_visit(const OpenedOperator& opened) {
     const Scene& scene = opened.transport.scene;
     visit_ = Visit(first_camera_of(opened, request_));
     visit_.edits =
-        request_.lights ? LightEdits(edited_lights(*request_.lights)) : LightEdits(scene.lights);
+        LightEdits(request_.lights ? edited_lights(*request_.lights) : edited(opened.lights));
     if (!visit_.edits.lights().empty()) visit_.selected = 0;
     // In the dark, nobody would find the button that adds a lamp.
     if (visit_.edits.lights().empty() && !emits(scene))

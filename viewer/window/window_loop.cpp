@@ -261,7 +261,9 @@ void WindowLoop::carry_out(Command command) {
             open(path_);
             break;
         case Command::save_operator:
-            if (scene_) write_operator_file(visit_.operator_file, scene_->opened()->transport);
+            if (scene_)
+                write_operator_file(visit_.operator_file, scene_->opened()->transport, "{}",
+                                    scene_->opened()->lights);
             visit_.say("the operator is in " + visit_.operator_file);
             break;
         case Command::expose:

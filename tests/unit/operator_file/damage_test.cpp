@@ -272,6 +272,22 @@ TEST_F(Damage, ImpossibleProvenanceIsRefused) {
     EXPECT_TRUE(contains(with_json(R"({"options":{},"provenance":{}})"), "chunk PROV"));
 }
 
+TEST_F(Damage, ImpossibleDimmersAreRefused) {
+    constexpr std::size_t dimmer = 3 * sizeof(double), on = dimmer + sizeof(double), light = on + 1;
+    GlobalTransport transport = sample_transport();
+    std::vector<DimmedLight> lights = undimmed(transport.scene.lights);
+    lights[0].on = false;
+    transport.scene.lights = shining(lights);
+    write_operator_file(good_, transport, "{}", lights);
+    EXPECT_EQ(refusal_with("dimm", dimmer, 0.5), "it was believed") << "the light is off";
+    EXPECT_TRUE(contains(refusal_with("dimm", dimmer, 1.5), "dimmer is not within 0 and 1"));
+    EXPECT_TRUE(contains(refusal_with("dimm", light + dimmer, 0.5), "light 1 does not shine"));
+    EXPECT_TRUE(contains(refusal_with("dimm", on, '\1'), "light 0 does not shine"));
+    EXPECT_TRUE(contains(refusal_with("dimm", on, '\2'), "chunk dimm"));
+    EXPECT_TRUE(contains(refusal_with("dimm", [](std::string& content) { content.pop_back(); }),
+                         "chunk dimm"));
+}
+
 // Contents changed at random, with checksums that match: refused or read, never a crash.
 TEST_F(Damage, RandomContentsAreReadOrRefused) {
     std::mt19937 random(7);

@@ -126,6 +126,57 @@ TEST_F(RoundTrip, KeepsSurroundings) {
     EXPECT_EQ(desk.rows, 5);
 }
 
+// The sample's lights: a bulb that is off, at 40 %, and a spot at a third.
+std::vector<DimmedLight> dimmed(GlobalTransport& transport) {
+    std::vector<DimmedLight> lights = undimmed(transport.scene.lights);
+    lights[0].dimmer = 0.4;
+    lights[0].on = false;
+    lights[1].dimmer = 1.0 / 3;
+    transport.scene.lights = shining(lights);
+    return lights;
+}
+
+TEST_F(RoundTrip, KeepsHowLightsAreDimmed) {
+    GlobalTransport transport = sample_transport();
+    const std::vector<DimmedLight> lights = dimmed(transport);
+    write_operator_file(path_, transport, "{}", lights);
+    std::vector<DimmedLight> read;
+    const Scene scene = read_operator_file(path_, &read).scene;
+    EXPECT_TRUE((std::get<PointLight>(scene.lights[0]).intensity == 0).all());
+    EXPECT_TRUE((std::get<SpotLight>(scene.lights[1]).intensity == 5 * (1.0 / 3)).all());
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_TRUE((std::get<PointLight>(read[0].light).intensity == Rgb(10, 20, 30)).all());
+    EXPECT_EQ(read[0].dimmer, 0.4);
+    EXPECT_FALSE(read[0].on);
+    EXPECT_TRUE((std::get<SpotLight>(read[1].light).intensity == 5).all());
+    EXPECT_EQ(read[1].dimmer, 1.0 / 3);
+    EXPECT_TRUE(read[1].on);
+    EXPECT_EQ(inspect_operator_file(path_).lights[0].dimmer, 0.4);
+}
+
+TEST_F(RoundTrip, SpendsNothingOnLightsThatShineInFull) {
+    const GlobalTransport transport = sample_transport();
+    write_operator_file(path_, transport);
+    const std::string bytes = bytes_of(path_);
+    write_operator_file(path_, transport, "{}", undimmed(transport.scene.lights));
+    EXPECT_EQ(bytes_of(path_), bytes);
+    std::vector<DimmedLight> read;
+    static_cast<void>(read_operator_file(path_, &read));
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_TRUE(read[1].on);
+    EXPECT_EQ(read[1].dimmer, 1);
+    EXPECT_TRUE((std::get<SpotLight>(read[1].light).intensity == 5).all());
+}
+
+TEST_F(RoundTrip, RefusesToWriteDimmersOfOtherLights) {
+    GlobalTransport transport = sample_transport();
+    std::vector<DimmedLight> lights = dimmed(transport);
+    lights[1].dimmer = 0.5;
+    EXPECT_THROW(write_operator_file(path_, transport, "{}", lights), BrokenInvariant);
+    lights.pop_back();
+    EXPECT_THROW(write_operator_file(path_, transport, "{}", lights), BrokenInvariant);
+}
+
 TEST_F(RoundTrip, KeepsElementsAndTheirBases) {
     const GlobalTransport transport = sample_transport();
     const RadianceSpace read = through_file(transport).space;

@@ -1,4 +1,4 @@
-#include "solver/reading/dimmed_light.h"
+#include "radiance4d/scene/dimmed_light.h"
 
 namespace lightwell {
 
@@ -10,6 +10,13 @@ std::vector<Light> shining(const std::vector<DimmedLight>& lights) {
                    shining.back());
     }
     return shining;
+}
+
+std::vector<DimmedLight> undimmed(const std::vector<Light>& lights) {
+    std::vector<DimmedLight> all;
+    for (const Light& light : lights)
+        all.push_back({light});
+    return all;
 }
 
 }  // namespace lightwell

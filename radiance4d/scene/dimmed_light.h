@@ -15,5 +15,7 @@ struct DimmedLight {
 
 /// The lights as they shine.
 std::vector<Light> shining(const std::vector<DimmedLight>& lights);
+/// Lights that are on and not dimmed.
+std::vector<DimmedLight> undimmed(const std::vector<Light>& lights);
 
 }  // namespace lightwell
