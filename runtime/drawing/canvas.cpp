@@ -52,15 +52,6 @@ void Canvas::bind_light() const {
     gl_.bind_framebuffer(GL_FRAMEBUFFER, light_framebuffer_.name());
 }
 
-int Canvas::seen_at(int column, int row) const {
-    int quad = -1;
-    bind_seen();
-    use_plain_memory(gl_);
-    gl_.read_pixels(column, row, 1, 1, GL_RED_INTEGER, GL_INT, &quad);
-    check_gl(gl_, "reading what a pixel sees");
-    return quad;
-}
-
 std::vector<float> Canvas::light() const {
     std::vector<float> rgba(4 * static_cast<std::size_t>(width_) *
                             static_cast<std::size_t>(height_));

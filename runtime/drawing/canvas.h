@@ -22,8 +22,6 @@ class Canvas {
     void bind_seen() const;
     void bind_light() const;
 
-    /// The index of the quad that a sample sees, or -1. Leaves a framebuffer bound.
-    int seen_at(int column, int row) const;
     /// Four floats for every sample, row by row. Leaves a framebuffer bound.
     std::vector<float> light() const;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <GL/glcorearb.h>
 
@@ -43,7 +44,6 @@ class FrameRenderer::Drawing {
             const FrameRendererOptions& options)
         : gl_(loader),
           scale_(transport.scene),
-          quads_(transport.scene.quads.size()),
           surfaces_(transport, scale_),
           indices_(gl_, scaled_quads(transport.scene, scale_)),
           covering_(gl_),
@@ -57,8 +57,6 @@ class FrameRenderer::Drawing {
           lobes_(make_texture(gl_)),
           emitted_lobes_(make_texture(gl_)),
           lamp_maps_(gl_, indices_, options.lamp_side) {
-        for (std::size_t q = 0; q < quads_.size(); ++q)
-            quads_[q] = transport.scene.quads[q].quad;
         surface_buffer_.set(surfaces_.records);
         lamp_buffer_.set({});
         const KeptFramebuffer kept(gl_);
@@ -122,25 +120,6 @@ class FrameRenderer::Drawing {
         return mean_of_samples(*canvas_, view.samples, width, height);
     }
 
-    std::optional<SeenSurface> seen_at(int x, int y) const {
-        if (!rays_ || x < 0 || y < 0 || x >= rays_->width() || y >= rays_->height())
-            return std::nullopt;
-        const KeptFramebuffer kept(gl_);
-        const auto sample = [](int pixel, int samples, int pixels) {
-            return (2 * pixel + 1) * samples / (2 * pixels);
-        };
-        const int quad =
-            canvas_->seen_at(sample(x, canvas_->width(), rays_->width()),
-                             sample(rays_->height() - 1 - y, canvas_->height(), rays_->height()));
-        if (quad < 0) return std::nullopt;
-        const Quad& seen = quads_[static_cast<std::size_t>(quad)];
-        const Vec3 direction = rays_->direction(x + 0.5, y + 0.5), normal = seen.normal();
-        const double along = normal.dot(direction);
-        const double t = normal.dot(seen.vertex[0] - rays_->position()) / along;
-        if (!std::isfinite(t)) return std::nullopt;
-        return SeenSurface{quad, along < 0, rays_->position() + t * direction};
-    }
-
     const SurfaceRecords& surfaces() const { return surfaces_; }
 
   private:
@@ -170,16 +149,16 @@ class FrameRenderer::Drawing {
         LIGHTWELL_CHECK_OP(view.samples, <=, 4);
         LIGHTWELL_CHECK_OP(view.coarseness, >=, 1);
         LIGHTWELL_CHECK_OP(std::min(view.samples, view.coarseness), ==, 1);
-        rays_.emplace(camera, width, height);
+        const CameraRays rays(camera, width, height);
         const auto samples_along = [&](int pixels) {
             return (view.samples * pixels + view.coarseness - 1) / view.coarseness;
         };
         prepare_canvas(samples_along(width), samples_along(height));
         IndexView seen;
-        seen.eye = scale_.scaled(rays_->position());
-        seen.frame = rays_->frame();
-        seen.across = 0.5 * width / rays_->focal_length();
-        seen.up = 0.5 * height / rays_->focal_length();
+        seen.eye = scale_.scaled(rays.position());
+        seen.frame = rays.frame();
+        seen.across = 0.5 * width / rays.focal_length();
+        seen.up = 0.5 * height / rays.focal_length();
         seen.width = canvas_->width();
         seen.height = canvas_->height();
         // Contour lines look at the row below.
@@ -222,7 +201,6 @@ class FrameRenderer::Drawing {
 
     GlFunctions gl_;
     SceneScale scale_;
-    std::vector<Quad> quads_;
     SurfaceRecords surfaces_;
     IndexDrawing indices_;
     std::map<Picture, GlObject> lighting_;  ///< made when first needed
@@ -233,7 +211,6 @@ class FrameRenderer::Drawing {
     LampMaps lamp_maps_;
     int lamp_count_ = 0, emitter_count_ = 0, first_list_ = 0;
     std::optional<Canvas> canvas_;
-    std::optional<CameraRays> rays_;
 };
 
 FrameRenderer::FrameRenderer(const GlobalTransport& transport, const GlLoader& loader,
@@ -260,9 +237,6 @@ void FrameRenderer::draw(const Camera& camera, const FrameView& view, int width,
 LinearPicture FrameRenderer::linear(const Camera& camera, const FrameView& view, int width,
                                     int height) {
     return drawing_->linear(camera, view, width, height);
-}
-std::optional<SeenSurface> FrameRenderer::seen_at(int x, int y) const {
-    return drawing_->seen_at(x, y);
 }
 std::uint64_t FrameRenderer::most_coefficients() const {
     return drawing_->surfaces().most_coefficients;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "radiance4d/operator/global_transport.h"
@@ -18,13 +17,6 @@ struct FrameRendererOptions {
     /// sees narrower than a pixel of it, 90 / side degrees, may cast no shadow. Edges of shadows
     /// are exact whatever the side.
     int lamp_side = 512;
-};
-
-/// What a pixel of the last picture shows.
-struct SeenSurface {
-    int quad = 0;
-    bool front = true;             ///< which of its sides
-    Vec3 position = Vec3::Zero();  ///< where the pixel's ray meets it [m]
 };
 
 /// Draws a scene in real time: direct light per pixel with shadows, indirect light from textures.
@@ -75,10 +67,6 @@ class FrameRenderer {
     /// indirect, lx for lux, the linear light of a display in [0,1] for the rest.
     /// @throws as draw
     LinearPicture linear(const Camera& camera, const FrameView& view, int width, int height);
-
-    /// What is seen in pixel (x,y) of the last picture, from its upper left corner; nothing where
-    /// it shows the background or (x,y) lies outside.
-    std::optional<SeenSurface> seen_at(int x, int y) const;
 
     /// The most coefficients of the operator on one side of a quad: the top of the ramp of
     /// Picture::coefficients, which is logarithmic.
