@@ -32,11 +32,13 @@ FEWEST_SAMPLES = 9
 # Along the line that fits samples best after the first third, when all buffers have had the time to
 # grow, as a share of where the line begins: of the bytes in use, and of the resident memory.
 MOST_GROWTH = 0.05
-# Along the line of the bytes in use, for each deed (half of them are edits), where that makes more
+# Along the line of the bytes in use, for each deed (one in three is an edit), where that makes more
 # than what the panel and the driver hold more or less of from one beginning to the next.
-MOST_BYTES_A_DEED = 200
+MOST_BYTES_A_DEED = 100
 UNSTEADY_BYTES = 2**18
 KEYS = "w a s d q e n x l space tab home minus period f1".split()
+# Switching the selected lamp and adding one: what edits for certain. A drag must meet a handle first.
+EDITS = ["space", "space", "l"]
 RARE = ["f5", "delete"]
 PICTURES = [f"digit_{k}" for k in range(1, 8)]
 CONTROLLED = ["z", "z", "z", "y", "s", "o"]
@@ -57,6 +59,8 @@ def drag(rng, button):
 
 def deed(rng):
     """One thing that a visitor does."""
+    if rng.random() < 0.3:
+        return tap(rng.choice(EDITS))
     kind = rng.random()
     if kind < 0.35:
         return drag(rng, "left")
