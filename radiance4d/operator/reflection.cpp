@@ -27,7 +27,10 @@ Reflection::Reflection(const Scene& scene, const RadianceSpace& space)
             const int level = element.angle.levels();
             const auto [entry, is_new] =
                 known.try_emplace({material, level}, static_cast<int>(lobes_.size()));
-            if (is_new) lobes_.push_back(AngularReflection::at_level(what.lobe, level));
+            if (is_new) {
+                lobes_.push_back(AngularReflection::at_level(what.lobe, level));
+                entries_.push_back(entries_of(lobes_.back().matrix()));
+            }
             made.diffuse = what.reflectance;
             made.specular = lobe_reflectance(what.lobe);
             made.lobe = entry->second;
@@ -60,6 +63,26 @@ RadianceField Reflection::outgoing(const RadianceField& incident) const {
     return result;
 }
 
+Reflection::Entries Reflection::entries_of(const RowMatrix& lobe) {
+    constexpr double left_out = 1e-5;
+    std::vector<double> squares(lobe.data(), lobe.data() + lobe.size());
+    for (double& one : squares)
+        one *= one;
+    std::sort(squares.begin(), squares.end());
+    double budget = left_out * left_out * lobe.squaredNorm(), least = 0;
+    for (const double square : squares) {
+        budget -= square;
+        if (budget < 0) break;
+        least = square;
+    }
+    Entries entries(static_cast<std::size_t>(lobe.cols()));
+    for (Eigen::Index from = 0; from < lobe.cols(); ++from)
+        for (Eigen::Index to = 0; to < lobe.rows(); ++to)
+            if (lobe(from, to) * lobe(from, to) > least)
+                entries[static_cast<std::size_t>(from)].push_back({to, lobe(from, to)});
+    return entries;
+}
+
 RowMatrix Reflection::between_angles(const OfElement& element, const Rgb& shares) const {
     RowMatrix result = RowMatrix::Zero(element.angles, element.angles);
     if (element.lobe < 0)
@@ -74,6 +97,7 @@ RowMatrix Reflection::between_angles(const OfElement& element, const Rgb& shares
 void Reflection::reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
                          Eigen::Ref<Fields> outgoing) const {
     LIGHTWELL_CHECK_OP(incident.rows(), ==, static_cast<Eigen::Index>(functions_));
+    const Eigen::Index lanes = incident.cols();
     for (const OfElement& element : of_element_) {
         const Eigen::Index count = element.cells * element.angles;
         if (element.lobe < 0) {
@@ -81,12 +105,22 @@ void Reflection::reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
                 (shares * element.diffuse).sum() * incident.middleRows(element.first, count);
             continue;
         }
-        const RowMatrix angles = between_angles(element, shares);
-        for (Eigen::Index k = 0; k < element.cells; ++k) {
-            const Eigen::Index first = element.first + k * element.angles;
-            outgoing.middleRows(first, element.angles).matrix().noalias() =
-                angles * incident.middleRows(first, element.angles).matrix();
+        const Entries& entries = entries_[static_cast<std::size_t>(element.lobe)];
+        const double specular = (shares * element.specular).sum();
+        outgoing.middleRows(element.first, count).setZero();
+        for (Eigen::Index j = 0; j < count; ++j) {
+            // Most functions of fine directions hold no light.
+            const double* in = incident.row(element.first + j).data();
+            if (std::all_of(in, in + lanes, [](double one) { return one == 0; })) continue;
+            const Eigen::Index first = element.first + j - j % element.angles;
+            for (const Entry& entry : entries[static_cast<std::size_t>(j % element.angles)]) {
+                double* out = outgoing.row(first + entry.to).data();
+                for (Eigen::Index lane = 0; lane < lanes; ++lane)
+                    out[lane] += specular * entry.value * in[lane];
+            }
         }
+        for (Eigen::Index j = element.first; j < element.first + count; j += element.angles)
+            outgoing.row(j) += (shares * element.diffuse).sum() * incident.row(j);
     }
 }
 

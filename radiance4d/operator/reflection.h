@@ -29,7 +29,8 @@ class Reflection {
 
     /// R x: outgoing radiance, in the same basis, per channel.
     RadianceField outgoing(const RadianceField& incident) const;
-    /// R x for fields of one channel that mixes red, green and blue by shares that add up to one.
+    /// R x for fields of one channel that mixes red, green and blue by shares that add up to one:
+    /// without what of a lobe is less than 1e-5 of its norm, and most of a sharp one is.
     void reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
                  Eigen::Ref<Fields> outgoing) const;
     /// R of such a channel as a matrix, without the coefficients below `smallest`.
@@ -51,8 +52,18 @@ class Reflection {
     /// R between the angular functions of an element, for one channel.
     RowMatrix between_angles(const OfElement& element, const Rgb& shares) const;
 
+    /// A coefficient of a lobe: what leaves by function `to`.
+    struct Entry {
+        Eigen::Index to = 0;
+        double value = 0;
+    };
+    /// The coefficients of a lobe that matter, by incident function.
+    using Entries = std::vector<std::vector<Entry>>;
+    static Entries entries_of(const RowMatrix& lobe);
+
     std::uint32_t functions_ = 0;
     std::vector<AngularReflection> lobes_;
+    std::vector<Entries> entries_;  ///< of each lobe
     std::vector<OfElement> of_element_;
 };
 

@@ -76,6 +76,31 @@ TEST(Reflection, ActsOnDirectionsAlone) {
             }
 }
 
+// Of one channel, several fields at once, some of whose functions are dark: the same but for what
+// is left out of a sharp lobe, of which nine tenths of the coefficients are next to nothing.
+TEST(Reflection, OfSeveralFieldsIsThatOfEach) {
+    for (const double exponent : {5.0, 200.0}) {
+        ThreeSides sides;
+        sides.scene.materials[1].lobe = PhongLobe{Rgb(0.3, 0.4, 0.5), exponent};
+        std::vector<Element> elements = sides.space.elements();
+        elements[1].angle = angular_basis(4).tree();
+        const RadianceSpace space(std::move(elements));
+        const Reflection reflection(sides.scene, space);
+        RadianceField in = numbers(space.functions());
+        for (Eigen::Index j = 0; j < in.rows(); j += 3)
+            in.row(j).setZero();
+        const RadianceField each = reflection.outgoing(in);
+        for (int c = 0; c < 3; ++c) {
+            Rgb shares = Rgb::Zero();
+            shares[c] = 1;
+            Reflection::Fields out(in.rows(), 3);
+            reflection.reflect(shares, in, out);
+            EXPECT_LT((out.col(c) - each.col(c)).matrix().norm(),
+                      2e-5 * each.col(c).matrix().norm());
+        }
+    }
+}
+
 // A point source's light has the irradiance it was given, and comes from where the source is.
 TEST(DirectedLight, KeepsIrradianceAndDirection) {
     const ThreeSides sides;
