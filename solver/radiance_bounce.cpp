@@ -18,6 +18,20 @@ namespace {
 
 constexpr int most_space_levels = 9;
 
+/// How far the light that a material reflects may be off, in the finest directions, for an error
+/// asked for to be met. Judged runs of scenes/glossy: asked for 20 %, Phong exponent 1000 (47 %
+/// off) ends at 12.6 %, 2000 (53 %) misses with 20.6 %; asked for 10 %, 100 (24 %) ends at 9.1 %,
+/// 500 (40 %) misses with 16.7 %.
+double followed_error(double error) {
+    return 1.1 * std::sqrt(error);
+}
+
+/// Share of the lobe in what a material reflects.
+double lobe_share(const Material& material) {
+    const double lobe = lobe_reflectance(material.lobe).mean();
+    return lobe / (lobe + material.reflectance.mean());
+}
+
 /// Gives the sides of glossy materials their angular cells.
 ///
 /// @return how much finer directions matter, by element
@@ -53,13 +67,25 @@ AngularResolution angular_resolution(double error) {
     return resolution;
 }
 
-std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResolution& resolution) {
+std::vector<AngularNeed> angular_needs(const Scene& scene, double error) {
+    const AngularResolution given = angular_resolution(error);
     std::vector<AngularNeed> needs;
     for (const Material& material : scene.materials) {
         if (!is_glossy(material)) continue;
-        const AngularReflection reflection(material.lobe, resolution);
-        needs.push_back(
-            {material.name, reflection.level(), reflection.error(), reflection.follows()});
+        const double share = lobe_share(material);
+        AngularResolution finest = given;
+        finest.tolerance = std::min(given.tolerance, followed_error(error) / share);
+        const AngularReflection reflection(material.lobe, finest);
+        const std::vector<double>& errors = reflection.error_by_level();
+        AngularNeed need;
+        need.material = material.name;
+        const auto first = std::find_if(errors.begin(), errors.end() - 1,
+                                        [&given](double one) { return one <= given.tolerance; });
+        need.level = given.least_levels + static_cast<int>(first - errors.begin());
+        need.error = *first;
+        need.finest_error = share * reflection.error();
+        need.follows = need.finest_error <= followed_error(error);
+        needs.push_back(need);
     }
     return needs;
 }

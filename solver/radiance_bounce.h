@@ -32,13 +32,17 @@ AngularResolution angular_resolution(double error);
 /// What a glossy material asks for.
 struct AngularNeed {
     std::string material;
-    int level = 0;        ///< angular levels of its sides
-    double error = 0;     ///< see AngularReflection
-    bool follows = true;  ///< whether the representation meets the tolerance
+    int level = 0;     ///< angular levels that its sides get at first
+    double error = 0;  ///< of the lobe there, see AngularReflection
+    /// Of all light that the material reflects, in the finest directions that were tried.
+    double finest_error = 0;
+    /// Whether the finest directions there are can be expected to meet the error of indirect light.
+    bool follows = true;
 };
 
-/// The needs of the glossy materials of a scene, known before anything is computed.
-std::vector<AngularNeed> angular_needs(const Scene& scene, const AngularResolution& resolution);
+/// The needs of the glossy materials of a scene, known before anything else is computed.
+/// @param error asked for of indirect light; > 0
+std::vector<AngularNeed> angular_needs(const Scene& scene, double error);
 
 /// Basis functions that the sides get, in space and direction.
 double directed_functions(const Ground& ground, const RadianceBounceOptions& options);

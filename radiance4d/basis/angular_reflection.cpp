@@ -52,11 +52,20 @@ class KernelIntegral {
           levels_(levels),
           centre_(centres(square_tree(levels + levels_below + 1))),
           mean_(RowMatrix::Zero(Eigen::Index{1} << (2 * levels), Eigen::Index{1} << (2 * levels))) {
-        // Each pair of cells of one level writes a part of its own.
+        // Each pair of cells of one level writes a part of its own, incident ones of a quarter
+        // only: nothing changes where both directions are mirrored at an axis of the square, which
+        // flips that axis's bit of a cell's number at every level.
         const int level = std::min(shared_level, levels);
         const std::uint32_t cells = std::uint32_t{1} << (2 * level);
-        tbb::parallel_for(std::uint32_t{0}, cells * cells,
+        const std::uint32_t first_quarter = level > 0 ? cells / 4 : cells;
+        tbb::parallel_for(std::uint32_t{0}, first_quarter * cells,
                           [&](std::uint32_t pair) { visit(level, pair / cells, pair % cells); });
+        const Eigen::Index quarter = mean_.rows() / 4;
+        const Eigen::Index one_axis = (mean_.rows() - 1) / 3;
+        for (Eigen::Index part = 1; part <= 3 && level > 0; ++part)
+            for (Eigen::Index a = 0; a < quarter; ++a)
+                for (Eigen::Index b = 0; b < mean_.cols(); ++b)
+                    mean_(a ^ (part * one_axis), b ^ (part * one_axis)) = mean_(a, b);
     }
 
     /// Means over the pairs of finest cells, reciprocal to the last digit.

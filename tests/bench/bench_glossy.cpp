@@ -85,7 +85,7 @@ void run(benchmark::State& state, double exponent, Findings& findings) {
         global += one.coefficients();
     const std::uint64_t bounce = transport.bounce.coefficients();
     const std::uint64_t links = transport.provenance.links;
-    const AngularNeed need = angular_needs(scene, angular_resolution(error_asked)).front();
+    const AngularNeed need = angular_needs(scene, error_asked).front();
     const Errors errors = errors_of(opened(std::move(transport)));
 
     const auto note = [&](Series& series, const std::string& name, double value) {

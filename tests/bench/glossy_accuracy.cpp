@@ -49,7 +49,7 @@ void print_row(double exponent, const RadianceBounceOptions& options, int sample
     const PointLight lamp = lamp_at({2.3, 1.0, 1.8});
     OracleCost cost;
     const Ground ground(scene, cost);
-    const AngularNeed need = angular_needs(scene, options.angle).front();
+    const AngularReflection lobe(PhongLobe{Rgb::Constant(0.7), exponent}, options.angle);
 
     auto last = std::chrono::steady_clock::now();
     const RadianceBounce bounce = radiance_bounce(ground, options);
@@ -75,10 +75,10 @@ void print_row(double exponent, const RadianceBounceOptions& options, int sample
     how.samples = samples;
     const LightSurvey survey =
         RadianceTracer(scene, ground.visibility, {lamp}).indirect(probes, how);
-    fmt::print("{},{},{:.3f},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f}\n", exponent, need.level,
-               need.error, need.follows ? 1 : 0, bounce.space.functions(), bounce.directed_links,
-               bounce.rays, bounce.propagation.coefficients(), seconds_bounce, seconds_reflection,
-               seconds_solve, deviation(seen, survey));
+    fmt::print("{},{},{:.3f},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f}\n", exponent, lobe.level(),
+               lobe.error(), lobe.follows() ? 1 : 0, bounce.space.functions(),
+               bounce.directed_links, bounce.rays, bounce.propagation.coefficients(),
+               seconds_bounce, seconds_reflection, seconds_solve, deviation(seen, survey));
     std::cout.flush();
 }
 

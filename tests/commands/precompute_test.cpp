@@ -53,16 +53,17 @@ TEST(Precompute, WithoutAttemptsTheErrorIsNotEstimated) {
     EXPECT_EQ(nlohmann::json::parse(run.out)["error_estimated"], 0);
 }
 
-/// A glossy floor below a ceiling, as a scene file; the floor reflects 0.7 diffusely.
+/// A glossy floor below a ceiling, as a scene file.
 std::string glossy_scene(const ScratchFolder& folder, const std::string& specular,
-                         const std::string& exponent = "10") {
+                         const std::string& exponent = "10", const std::string& diffuse = "0.7") {
     folder.write("two.obj",
                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                  "usemtl floor\nf 1 2 3 4\nusemtl top\nf 8 7 6 5\n");
     return folder.write("scene.toml",
                         "geometry = \"two.obj\"\n[material.top]\nreflectance = 0.5\n"
-                        "[material.floor]\nreflectance = 0.7\nexponent = " +
-                            exponent + "\nspecular = " + specular + "\n");
+                        "[material.floor]\nreflectance = " +
+                            diffuse + "\nexponent = " + exponent + "\nspecular = " + specular +
+                            "\n");
 }
 
 TEST(Precompute, SaysWhereItCannotFollowALobe) {
@@ -74,7 +75,7 @@ TEST(Precompute, SaysWhereItCannotFollowALobe) {
     const ProgramRun wide = lightwell(words);
     ASSERT_EQ(wide.status, 0) << wide.err;
     EXPECT_EQ(wide.err, "");
-    words[1] = glossy_scene(folder, "0.2", "5000");
+    words[1] = glossy_scene(folder, "0.8", "5000", "0.1");
     const ProgramRun sharp = lightwell(words);
     ASSERT_EQ(sharp.status, 0) << sharp.err;
     EXPECT_NE(sharp.err.find("lightwell: warning: 'floor': its reflections are too sharp"),

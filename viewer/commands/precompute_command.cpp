@@ -46,14 +46,14 @@ auto timed(std::map<std::string, double>& seconds, const std::string& stage, con
 /// Says which lobes are narrower than their representation can follow at the error asked for.
 void warn_of_gloss(const Scene& scene, const PrecomputeOptions& options) {
     if (options.diffuse) return;
-    for (const AngularNeed& need : angular_needs(scene, angular_resolution(options.error)))
+    for (const AngularNeed& need : angular_needs(scene, options.error))
         if (!need.follows)
             print_message(fmt::format(
                 "warning: {}: its reflections are too sharp for --error {:.3g}: with the finest "
                 "directions there are, light that it reflects is off by {:.0f} %, mostly within "
                 "its "
                 "highlights. What an eye sees in it directly is sharper.",
-                in_quotes(need.material), options.error, 100 * need.error));
+                in_quotes(need.material), options.error, 100 * need.finest_error));
 }
 
 /// Says what bright materials do to what is stored.
