@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "radiance4d/failure.h"
 #include "solver/reading/scene_reader.h"
+#include "tests/scratch_folder.h"
 #include "tests/unit/propagation/coloured_room.h"
 #include "viewer/window/drawing_pace.h"
 #include "viewer/window/file_watch.h"
@@ -76,51 +76,41 @@ TEST(Loading, ComesToTheErrorAskedForByWayOfCoarserOnes) {
         EXPECT_LT(errors[k], errors[k - 1] / 1.5);
 }
 
-class InAFolder : public ::testing::Test {
-  protected:
-    InAFolder() {
-        std::string name = ::testing::TempDir() + "lightwell_files_XXXXXX";
-        folder_ = mkdtemp(name.data());
-    }
-    ~InAFolder() override { std::filesystem::remove_all(folder_); }
-    std::string written(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ + "/" + name, std::ios::binary) << text;
-        return folder_ + "/" + name;
-    }
-    std::string folder_;
-};
-
-TEST_F(InAFolder, AFileIsWatchedForNewContentAndOverItsAbsence) {
-    FileWatch watch(written("a.gto", "one"));
+TEST(Files, AFileIsWatchedForNewContentAndOverItsAbsence) {
+    const testing::ScratchFolder folder;
+    FileWatch watch(folder.write("a.gto", "one"));
     EXPECT_FALSE(watch.has_changed());
-    written("a.gto", "another");
+    folder.write("a.gto", "another");
     EXPECT_TRUE(watch.has_changed());
     EXPECT_FALSE(watch.has_changed());
     std::filesystem::remove(watch.path());
     EXPECT_FALSE(watch.has_changed());
-    written("a.gto", "again");
+    folder.write("a.gto", "again");
     EXPECT_TRUE(watch.has_changed());
 }
 
-TEST_F(InAFolder, FilesAreToldApart) {
+TEST(Files, FilesAreToldApart) {
+    const testing::ScratchFolder folder;
     EXPECT_EQ(kind_of("x/y.GTO"), FileKind::operator_file);
     EXPECT_EQ(kind_of("y.obj"), FileKind::scene);
-    EXPECT_EQ(kind_of(folder_), FileKind::scene);
-    EXPECT_EQ(kind_of(written("s.toml", "geometry = \"a.obj\"\n")), FileKind::scene);
-    EXPECT_EQ(kind_of(written("l.toml", "light = []\n")), FileKind::lights);
+    EXPECT_EQ(kind_of(folder.path()), FileKind::scene);
+    EXPECT_EQ(kind_of(folder.write("s.toml", "geometry = \"a.obj\"\n")), FileKind::scene);
+    EXPECT_EQ(kind_of(folder.write("l.toml", "light = []\n")), FileKind::lights);
     EXPECT_THROW(kind_of("y.jpg"), InputError);
-    EXPECT_THROW(kind_of(folder_ + "/none.toml"), InputError);
+    EXPECT_THROW(kind_of(folder / "none.toml"), InputError);
 }
 
-TEST_F(InAFolder, PicturesNeverReplaceOneAnother) {
-    const std::string stem = folder_ + "/p";
+TEST(Files, PicturesNeverReplaceOneAnother) {
+    const testing::ScratchFolder folder;
+    const std::string stem = folder / "p";
     EXPECT_EQ(next_free_name(stem, ".png"), stem + "-0001.png");
-    written("p-0001.png", "");
+    folder.write("p-0001.png", "");
     EXPECT_EQ(next_free_name(stem, ".png"), stem + "-0002.png");
     EXPECT_EQ(next_free_name(stem, ".exr"), stem + "-0001.exr");
 }
 
-TEST_F(InAFolder, SavedLightsComeBackAsTheyWereSwitched) {
+TEST(Files, SavedLightsComeBackAsTheyWereSwitched) {
+    const testing::ScratchFolder folder;
     Visit visit{WalkCamera({}, Vec3::UnitZ())};
     visit.edits = LightEdits({PointLight{"a", {1, 2, 3}, Rgb::Constant(10)},
                               PointLight{"b", {4, 5, 6}, Rgb::Constant(7)}});
@@ -131,7 +121,7 @@ TEST_F(InAFolder, SavedLightsComeBackAsTheyWereSwitched) {
     light.on = false;
     visit.edits.change(1, light);
     visit.camera.walk({1, 0, 0}, 1, nullptr);
-    visit.lights_file = folder_ + "/saved.toml";
+    visit.lights_file = folder / "saved.toml";
     save_lights(visit);
 
     Visit other{WalkCamera({}, Vec3::UnitZ())};
