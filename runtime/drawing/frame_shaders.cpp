@@ -163,18 +163,23 @@ constexpr const char* pictures = R"(
 uniform float difference_range;
 layout(location = 0) out vec4 light;
 
-// The wavelet mesh: cells with dark borders about a pixel and a half wide.
-vec3 mesh_colour(int quad, bool front, int element, vec2 uv, float cosine, float footprint) {
+// The wavelet mesh: cells with dark borders a pixel and a half wide, fainter where cells are hardly
+// wider.
+vec3 mesh_colour(int quad, bool front, int element, vec2 uv, vec3 ray, float cosine,
+                 float footprint) {
     vec4 cells = cells_of(element);
     if (!front) cells.xy = cells.yx;  // u and v change places behind
-    vec2 sides = 0.5 * vec2(distance(vertex_of(quad, 0), vertex_of(quad, 1)) +
-                                distance(vertex_of(quad, 3), vertex_of(quad, 2)),
-                            distance(vertex_of(quad, 0), vertex_of(quad, 3)) +
-                                distance(vertex_of(quad, 1), vertex_of(quad, 2)));
-    vec2 at = uv * cells.xy;
-    vec2 to_border = abs(at - round(at)) / cells.xy * sides;
+    vec3 v0 = vertex_of(quad, 0), v1 = vertex_of(quad, 1);
+    vec3 v2 = vertex_of(quad, 2), v3 = vertex_of(quad, 3);
+    vec3 along_u = mix(v1 - v0, v2 - v3, uv.y), along_v = mix(v3 - v0, v2 - v1, uv.x);
+    // Across the lines of equal u, and of equal v, as they are seen: an area over a length.
+    vec2 seen = cosine * length(cross(along_u, along_v)) /
+                max(vec2(length(cross(along_v, ray)), length(cross(along_u, ray))), 1e-12);
+    vec2 cell = seen / cells.xy / footprint;  // [pixels]
+    vec2 at = uv * cells.xy, to_border = abs(at - round(at)) * cell;
+    vec2 border = vec2(lessThan(to_border, vec2(0.75))) * smoothstep(2.0, 5.0, cell);
     vec3 colour = ramp_colour(cells.z) * (0.4 + 0.6 * cosine);
-    return min(to_border.x, to_border.y) < 0.7 * footprint ? 0.15 * colour : colour;
+    return mix(1.0, 0.15, max(border.x, border.y)) * colour;
 }
 
 // Blue where there is too little light, red where there is too much, grey where it is right.
@@ -199,7 +204,8 @@ void main() {
     if (picture == 4 || picture == 5) {
         if (element < 0) light.rgb = vec3(0.02);
         else if (picture == 4)
-            light.rgb = mesh_colour(quad, front, element, uv, cosine, footprint);
+            light.rgb = mesh_colour(quad, front, element, uv, normalize(ray), cosine,
+                                    footprint);
         else
             light.rgb = ramp_colour(cells_of(element).w) * (0.4 + 0.6 * cosine);
         return;

@@ -274,6 +274,15 @@ TEST_F(CornellBoxWindow, WhatMakesLightIsScaledOnRequest) {
         << visit["messages"];
 }
 
+TEST_F(CornellBoxWindow, TheLampThatAModelWithoutLampsGetsIsNobodysToUndo) {
+    file_ = folder_.write("two.obj",
+                          "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\n"
+                          "v 0 1 1\nf 1 2 3 4\nf 8 7 6 5\n");
+    const Json visit = replayed(with_control("z"), {"--error", "0.3"});
+    ASSERT_EQ(visit["lights"].size(), 1u);
+    EXPECT_EQ(visit["selected"], 0);
+}
+
 TEST_F(CornellBoxWindow, FilesAreDroppedOnIt) {
     const std::string lights = folder_.write(
         "two.toml",
@@ -282,6 +291,7 @@ TEST_F(CornellBoxWindow, FilesAreDroppedOnIt) {
     const Json visit = replayed("drop " + lights + "\nframes 2 0.02\ndrop none.gto\nframe 0.02\n");
     ASSERT_EQ(visit["lights"].size(), 2u);
     EXPECT_EQ(visit["lights"][1]["intensity"][0], 7);
+    EXPECT_NE(visit["messages"].dump().find("2 lamps from"), std::string::npos);
     EXPECT_NE(visit["messages"].back().get<std::string>().find("none.gto"), std::string::npos);
 }
 

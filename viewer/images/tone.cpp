@@ -16,6 +16,11 @@ double srgb_encoded(double linear) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 
+double srgb_decoded(double encoded) {
+    const double x = std::clamp(encoded, 0.0, 1.0);
+    return x <= 12.92 * 0.0031308 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
 Image develop(const Image& light, const Development& development) {
     const double factor = std::exp2(development.exposure);
     Image display = light;

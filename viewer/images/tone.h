@@ -25,6 +25,8 @@ double filmic(double light);
 /// The sRGB transfer function (IEC 61966-2-1) from linear [0,1] to [0,1]; arguments outside count
 /// as the nearer end.
 double srgb_encoded(double linear);
+/// Its inverse.
+double srgb_decoded(double encoded);
 
 /// Exposes the light and bends it by the curve, each channel by itself. The result is the linear
 /// light of a display in [0,1], ready for write_png. NaN stays NaN, to be counted there.

@@ -28,6 +28,10 @@ std::optional<std::size_t> light_at(const Visit& visit, const CameraRays& rays,
     return nearest;
 }
 
+bool is_modifier(Key key) {
+    return key == Key::control || key == Key::shift || key == Key::alt;
+}
+
 Handle selected_handle_at(const Visit& visit, const CameraRays& rays, const Vec2& cursor) {
     const EditedLight* light = visit.shows_handles ? visit.selected_light() : nullptr;
     return light ? handle_at(handle_places(rays, light->light), cursor) : Handle::none;
@@ -67,7 +71,9 @@ void Gestures::take(const Input& input, const PanelClaims& claims, Visit& visit,
     const CameraRays rays(visit.camera.camera(), width, height);
     if (const auto* key = std::get_if<KeyInput>(&input)) {
         const bool counts = key->down && !claims.keyboard;
-        held_[static_cast<std::size_t>(key->key)] = counts;
+        // Whoever lets go of Ctrl before the S of Ctrl+S does not mean to walk.
+        const bool is_command = held(Key::control) && !is_modifier(key->key);
+        held_[static_cast<std::size_t>(key->key)] = counts && !is_command;
         if (counts) press(key->key, visit, visibility);
     } else if (const auto* text = std::get_if<TextInput>(&input)) {
         if (text->character == U'?' && !claims.keyboard) visit.shows_help = !visit.shows_help;

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "viewer/images/tone.h"
 #include "viewer/window/panel.h"
 
 namespace lightwell {
@@ -13,19 +14,20 @@ namespace {
 /// Of the list of lamps; it scrolls where there are more.
 constexpr std::size_t most_lines = 8;
 
-/// A light's colour and brightness, as the panel shows them apart.
-struct Colour {
-    float rgb[3];   ///< the largest is 1
-    float candela;  ///< of the largest
+/// A light's colour as displays take it, sRGB, the largest channel 1.
+struct DisplayColour {
+    float rgb[3];
 
-    explicit Colour(const Rgb& intensity) : candela(static_cast<float>(intensity.maxCoeff())) {
+    explicit DisplayColour(const Rgb& intensity) {
+        const double most = intensity.maxCoeff();
         for (int c = 0; c < 3; ++c)
-            rgb[c] = candela > 0 ? static_cast<float>(intensity[c]) / candela : 1;
+            rgb[c] = most > 0 ? static_cast<float>(srgb_encoded(intensity[c] / most)) : 1;
     }
-    Rgb intensity() const {
-        return Rgb(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
-                   static_cast<double>(rgb[2])) *
-               static_cast<double>(candela);
+    Rgb linear() const {
+        Rgb linear;
+        for (int c = 0; c < 3; ++c)
+            linear[c] = srgb_decoded(static_cast<double>(rgb[c]));
+        return linear;
     }
 };
 
@@ -74,18 +76,22 @@ bool edit_light(EditedLight& edited) {
         changed = true;
     }
     changed |= edit_number("dimmer", edited.dimmer, 0, 1, "%.2f");
-    Colour colour(full_intensity_of(edited.light));
+    DisplayColour colour(full_intensity_of(edited.light));
     if (ImGui::ColorEdit3("colour", colour.rgb,
                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs)) {
-        set_hue(edited.light, Rgb(colour.rgb[0], colour.rgb[1], colour.rgb[2]));
+        set_hue(edited.light, colour.linear());
         changed = true;
     }
     ImGui::SameLine();
     ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
     // Not down to 0, where the colour would be forgotten.
-    if (ImGui::DragFloat("cd", &colour.candela, 0.01F * (1 + colour.candela), 0.01F, 1e7F, "%.4g",
+    const Rgb intensity = full_intensity_of(edited.light);
+    const double most = intensity.maxCoeff();
+    auto candela = static_cast<float>(most);
+    if (ImGui::DragFloat("cd", &candela, 0.01F * (1 + candela), 0.01F, 1e7F, "%.4g",
                          ImGuiSliderFlags_AlwaysClamp)) {
-        set_intensity(edited.light, colour.intensity());
+        const Rgb hue = most > 0 ? Rgb(intensity / most) : Rgb::Ones();
+        set_intensity(edited.light, static_cast<double>(candela) * hue);
         changed = true;
     }
 

@@ -67,12 +67,19 @@ void WindowLoop::open(const std::string& path) {
 
 void WindowLoop::take_drop(const std::string& path) {
     if (kind_of(path) == FileKind::lights) {
-        if (scene_) load_lights(path, scene_->opened()->transport.scene.up, visit_);
+        take_lights(path);
         visit_.lights_file = path;
         return;
     }
     open(path);
     is_new_visit_ = true;
+}
+
+void WindowLoop::take_lights(const std::string& path) {
+    if (!scene_) return;
+    load_lights(path, scene_->opened()->transport.scene.up, visit_);
+    const std::size_t count = visit_.edits.lights().size();
+    visit_.say(fmt::format("{} {} from {}", count, count == 1 ? "lamp" : "lamps", path));
 }
 
 void WindowLoop::take_loaded() {
@@ -117,12 +124,15 @@ void WindowLoop::begin_visit(const OpenedOperator& opened) {
         LightEdits(request_.lights ? edited_lights(*request_.lights) : edited(opened.lights));
     if (!visit_.edits.lights().empty()) visit_.selected = 0;
     // In the dark, nobody would find the button that adds a lamp.
-    if (visit_.edits.lights().empty() && !emits(scene))
+    if (visit_.edits.lights().empty() && !emits(scene)) {
         visit_.add_light(opened.visibility, far_away);
+        visit_.edits = LightEdits(visit_.edits.lights());  // nobody's edit, for nobody to undo
+    }
     // What the command line names is for the first visit.
     request_.lights.reset();
     request_.camera.reset();
     first_camera_ = visit_.camera;
+    history_ = StageHistory();
     const std::string stem = stem_of(path_);
     visit_.lights_file = stem + ".lights.toml";
     visit_.picture_stem = stem;

@@ -117,6 +117,7 @@ void draw_lux_legend(ImDrawList& list, const PanelSubject& subject) {
     const int step = view.lux_divisions > 12 && view.lux_divisions % 2 == 0 ? 2 : 1;
     for (int k = 0; k <= view.lux_divisions; k += step)
         numbers.push_back(fmt::format("{:.4g}", view.lux_maximum * k / view.lux_divisions));
+    numbers.back() += "+";  // and all above
     draw_legend(list, subject, "lx", numbers);
 }
 
@@ -167,6 +168,9 @@ void draw_news(ImDrawList& list, const PanelSubject& subject) {
 void show_overlay(const PanelSubject& subject) {
     if (!subject.scene) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    // Handles would shine through the panel.
+    list.PushClipRect(ImVec2(0, 0), ImVec2(static_cast<float>(subject.width),
+                                           static_cast<float>(subject.height)));
     const Visit& visit = subject.visit;
     const CameraRays rays(visit.camera.camera(), subject.width, subject.height);
     if (visit.shows_handles) {
@@ -197,6 +201,7 @@ void show_overlay(const PanelSubject& subject) {
         default:
             break;
     }
+    list.PopClipRect();
 }
 
 }  // namespace lightwell

@@ -13,7 +13,7 @@ constexpr const char* picture_names =
     "4 lux\0"
     "5 wavelet level\0"
     "6 coefficients\0"
-    "7 difference to exact\0";
+    "7 difference\0";
 
 bool slide(const char* label, double& value, double low, double high, const char* format,
            ImGuiSliderFlags flags = 0) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,6 +13,15 @@ namespace {
 void number(double value) {
     ImGui::TableNextColumn();
     ImGui::Text("%.4g", value);
+}
+
+/// What was clicked on, short enough for the panel.
+std::string surface_text(const Scene& scene, const ProbedPoint& point) {
+    const SceneQuad& quad = scene.quads[static_cast<std::size_t>(point.quad)];
+    const Material& material = scene.materials[static_cast<std::size_t>(quad.material)];
+    return fmt::format("{}, reflectance {:.2g}, {} of quad {}, {}:{}", material.name,
+                       luminance(material.reflectance), point.front ? "front" : "back", point.quad,
+                       std::filesystem::path(scene.geometry_file).filename().string(), quad.line);
 }
 
 void show_shares(const ProbeReading& reading) {
@@ -68,9 +78,8 @@ void show_probe(const PanelSubject& subject) {
     if (ImGui::SmallButton("forget")) subject.visit.probed.reset();
     if (!point) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextWrapped("%s, %s",
-                       subject.scene->opened()->transport.scene.describe(point->quad).c_str(),
-                       point->front ? "front" : "back");
+    ImGui::TextWrapped("%s",
+                       surface_text(subject.scene->opened()->transport.scene, *point).c_str());
     ImGui::PopStyleColor();
     ImGui::Text("indirect as drawn: %.4g lx",
                 luminance(subject.scene->indirect_at(point->quad, point->front, point->position)));

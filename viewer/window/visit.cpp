@@ -3,14 +3,31 @@
 #include <algorithm>
 #include <utility>
 
+#include "viewer/window/lit_scene.h"
+
 namespace lightwell {
 
 namespace {
 
 constexpr std::size_t most_messages = 50;
 
-void drop_lost_selection(Visit& visit) {
-    if (visit.selected && *visit.selected >= visit.edits.lights().size()) visit.selected.reset();
+bool is_same(const EditedLight& a, const EditedLight& b) {
+    return a.on == b.on && a.dimmer == b.dimmer && name_of(a.light) == name_of(b.light) &&
+           shine_alike({a.light}, {b.light});
+}
+
+/// Selects the first light that is another one than before, or has come back; where lights are
+/// gone, none that has moved up to their place.
+void select_changed(Visit& visit, const std::vector<EditedLight>& before) {
+    const std::vector<EditedLight>& now = visit.edits.lights();
+    const auto [mine, its] =
+        std::mismatch(now.begin(), now.end(), before.begin(), before.end(), is_same);
+    const auto changed = static_cast<std::size_t>(mine - now.begin());
+    if (now.size() >= before.size()) {
+        if (changed < now.size()) visit.selected = changed;
+    } else if (visit.selected && *visit.selected >= changed) {
+        visit.selected.reset();
+    }
 }
 
 }  // namespace
@@ -51,13 +68,15 @@ void Visit::remove_selected() {
 }
 
 void Visit::undo() {
+    const std::vector<EditedLight> before = edits.lights();
     edits.undo();
-    drop_lost_selection(*this);
+    select_changed(*this, before);
 }
 
 void Visit::redo() {
+    const std::vector<EditedLight> before = edits.lights();
     edits.redo();
-    drop_lost_selection(*this);
+    select_changed(*this, before);
 }
 
 std::optional<ProbedPoint> surface_along(const Visibility& visibility, const Vec3& eye,

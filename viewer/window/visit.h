@@ -71,7 +71,8 @@ struct Visit {
     void add_light(const Visibility& visibility, double arm = 1);
     /// The selected light, if any, is removed.
     void remove_selected();
-    /// Undo or redo; the selection is dropped where its light is gone.
+    /// Undo or redo; what changes by it is selected, and the selection dropped where its light is
+    /// gone.
     void undo();
     void redo();
 };

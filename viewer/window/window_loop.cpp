@@ -248,8 +248,7 @@ void WindowLoop::carry_out(Command command) {
             visit_.say("lights and view are in " + visit_.lights_file);
             break;
         case Command::load_lights:
-            if (scene_)
-                load_lights(visit_.lights_file, scene_->opened()->transport.scene.up, visit_);
+            take_lights(visit_.lights_file);
             break;
         case Command::picture_png:
             save_picture(".png");

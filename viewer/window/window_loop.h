@@ -62,6 +62,7 @@ class WindowLoop {
 
     void open(const std::string& path);
     void take_drop(const std::string& path);
+    void take_lights(const std::string& path);
     void take_loaded();
     void enter(const SharedOperator& opened);
     void begin_visit(const OpenedOperator& opened);

@@ -14,6 +14,8 @@ TEST(Tone, SrgbMatchesTheStandard) {
     EXPECT_NEAR(srgb_encoded(0.002), 0.02584, 1e-9);
     // The standard's decoding of 0.5 is ((0.5 + 0.055) / 1.055)^2.4.
     EXPECT_NEAR(srgb_encoded(std::pow(0.555 / 1.055, 2.4)), 0.5, 1e-12);
+    for (const double linear : {0.0, 0.002, 0.0031308, 0.2, 1.0})
+        EXPECT_NEAR(srgb_decoded(srgb_encoded(linear)), linear, 1e-12);
     // Both branches meet.
     EXPECT_NEAR(srgb_encoded(0.0031308), srgb_encoded(0.0031309), 2e-6);
     EXPECT_DOUBLE_EQ(srgb_encoded(-3), 0);

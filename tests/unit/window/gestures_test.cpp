@@ -77,6 +77,17 @@ TEST_F(InABox, ASlowFrameIsNoLeapAndAWindowThatIsLeftStops) {
     EXPECT_FALSE(gestures_.is_walking());
 }
 
+TEST_F(InABox, AKeyPressedWithControlDoesNotWalkWhenControlIsLetGoFirst) {
+    take(KeyInput{Key::control, true});
+    take(KeyInput{Key::s, true});
+    take(KeyInput{Key::control, false});
+    EXPECT_FALSE(gestures_.is_walking());
+    EXPECT_EQ(visit_.commands, std::vector<Command>{Command::save_lights});
+    take(KeyInput{Key::s, false});
+    take(KeyInput{Key::s, true});
+    EXPECT_TRUE(gestures_.is_walking());
+}
+
 TEST_F(InABox, KeysForThePanelAreNotForTheScene) {
     tap(Key::l, {false, true});
     EXPECT_EQ(visit_.edits.lights().size(), 1u);
@@ -165,6 +176,28 @@ TEST_F(InABox, ALampDeletedInTheHandIsGone) {
     take(ButtonInput{MouseButton::left, false});
     EXPECT_TRUE(visit_.edits.lights().empty());
     EXPECT_FALSE(gestures_.is_dragging());
+}
+
+TEST_F(InABox, WhatIsUndoneIsSelected) {
+    visit_.add_light(visibility_);
+    EditedLight dimmed = visit_.edits.lights()[0];
+    dimmed.dimmer = 0.5;
+    visit_.edits.change(0, dimmed);
+    visit_.selected = 1;
+    visit_.undo();
+    EXPECT_EQ(visit_.selected, 0u);
+    visit_.remove_selected();
+    EXPECT_FALSE(visit_.selected);
+    visit_.undo();
+    EXPECT_EQ(visit_.selected, 0u);
+    visit_.selected = 1;
+    visit_.redo();  // the one that was second is the first now
+    EXPECT_EQ(visit_.edits.lights().size(), 1u);
+    EXPECT_FALSE(visit_.selected);
+    visit_.undo();
+    visit_.selected = 0;
+    visit_.undo();  // of the added lamp
+    EXPECT_EQ(visit_.selected, 0u);
 }
 
 TEST_F(InABox, ANewLampHangsBetweenTheEyeAndTheWall) {
