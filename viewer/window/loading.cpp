@@ -8,6 +8,7 @@
 #include "radiance4d/failure.h"
 #include "viewer/commands/progress_line.h"
 #include "viewer/commands/scene_argument.h"
+#include "viewer/window/first_look.h"
 
 namespace lightwell {
 
@@ -95,8 +96,13 @@ Loading::Work precomputation_of(const std::string& path, const SceneComputation&
         const ReadScene read = read_scene_argument(path, how.above_one, how.bare);
         for (const Warning& warning : read.report.warnings)
             desk.say(warning.to_string());
-        for (const double step : errors_on_the_way(how.error)) {
-            desk.begin(fmt::format("computing to {:.3g} %", 100 * step));
+        // Direct light is there at once.
+        desk.deliver(opened(first_look(read.scene), read.lights));
+        const std::vector<double> steps = errors_on_the_way(how.error);
+        for (const double step : steps) {
+            desk.begin(fmt::format("{}computing to {:.3g} %",
+                                   step == steps.front() ? "this is direct light; " : "",
+                                   100 * step));
             PrecomputeOptions options;
             options.error = step;
             options.max_memory = how.max_memory;

@@ -83,7 +83,8 @@ struct SceneComputation {
     double error = PrecomputeOptions().error;
     std::uint64_t max_memory = PrecomputeOptions().max_memory;  ///< [bytes]
 };
-/// Precomputes a scene, first coarsely and soon, then to the error asked for.
+/// Precomputes a scene: shows it in direct light at once, then with all light, first coarsely and
+/// soon, then to the error asked for.
 Loading::Work precomputation_of(const std::string& scene, const SceneComputation& how);
 
 /// The errors on the way to `error`, coarse to fine, the last being `error` itself.

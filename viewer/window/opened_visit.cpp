@@ -12,6 +12,7 @@
 #include "solver/reading/toml_table.h"
 #include "viewer/commands/default_camera.h"
 #include "viewer/window/files.h"
+#include "viewer/window/first_look.h"
 #include "viewer/window/window_loop.h"
 
 namespace lightwell {
@@ -98,6 +99,7 @@ void WindowLoop::take_loaded() {
 void WindowLoop::enter(const SharedOperator& opened) {
     auto scene =
         std::make_unique<LitScene>(opened, window_.loader(), request_.projection, request_.rows);
+    const bool was_lit = !is_new_visit_ && scene_ && is_computed(scene_->opened()->transport);
     if (is_new_visit_) begin_visit(*opened);
     if (visit_.probed && visit_.probed->quad >= static_cast<int>(opened->quads.size()))
         visit_.probed.reset();
@@ -106,15 +108,15 @@ void WindowLoop::enter(const SharedOperator& opened) {
     walls_.emplace(opened->quads, walker_radius(opened->quads));
     scene_->light(visit_.edits.shining(), visit_.update, false);
     history_.add(scene_->times());
-    if (is_new_visit_) expose();
+    if (!was_lit) expose();
     window_.set_title("Lightwell: " + opened->transport.scene.name);
-    const Provenance& provenance = opened->transport.provenance;
-    visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
-                           100 * provenance.error_asked));
-    const std::string assumption = assumption_text(path_, request_.computation.bare);
-    if (is_new_visit_ && !assumption.empty()) visit_.say(assumption);
     is_new_visit_ = false;
     frames_to_draw_ = frames_after_change;
+    if (!is_computed(opened->transport)) return;
+    visit_.say(fmt::format("{}: {} quads, computed to {:.3g} %", path_, opened->quads.size(),
+                           100 * opened->transport.provenance.error_asked));
+    const std::string assumption = assumption_text(path_, request_.computation.bare);
+    if (!was_lit && !assumption.empty()) visit_.say(assumption);
 }
 
 void WindowLoop::begin_visit(const OpenedOperator& opened) {

@@ -132,6 +132,7 @@ void draw_coefficient_legend(ImDrawList& list, const PanelSubject& subject) {
     constexpr int parts = 4;
     const double most =
         std::log1p(static_cast<double>(subject.scene->renderer().most_coefficients()));
+    if (!(most > 0)) return;
     std::vector<std::string> numbers;
     for (int k = 0; k <= parts; ++k)
         numbers.push_back(fmt::format("{:.0f}", std::expm1(most * k / parts)));

@@ -17,6 +17,7 @@
 #include "solver/reading/scene_reader.h"
 #include "viewer/commands/stop_signal.h"
 #include "viewer/window/files.h"
+#include "viewer/window/first_look.h"
 #include "viewer/window/memory_in_use.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/recording.h"
@@ -260,10 +261,7 @@ void WindowLoop::carry_out(Command command) {
             open(path_);
             break;
         case Command::save_operator:
-            if (scene_)
-                write_operator_file(visit_.operator_file, scene_->opened()->transport, "{}",
-                                    scene_->opened()->lights);
-            visit_.say("the operator is in " + visit_.operator_file);
+            save_operator();
             break;
         case Command::expose:
             if (scene_) expose();
@@ -281,6 +279,14 @@ void WindowLoop::carry_out(Command command) {
 
 void WindowLoop::expose() {
     lightwell::expose(*scene_, visit_, static_cast<double>(picture_width_) / height_);
+}
+
+void WindowLoop::save_operator() {
+    if (!scene_) return;
+    const OpenedOperator& opened = *scene_->opened();
+    if (!is_computed(opened.transport)) return visit_.say("there is no operator yet");
+    write_operator_file(visit_.operator_file, opened.transport, "{}", opened.lights);
+    visit_.say("the operator is in " + visit_.operator_file);
 }
 
 void WindowLoop::save_picture(const std::string& extension) {

@@ -58,6 +58,7 @@ class WindowLoop {
 
     void attempt(const std::function<void()>& work);
     void carry_out(Command command);
+    void save_operator();
     void save_picture(const std::string& extension);
 
     void open(const std::string& path);

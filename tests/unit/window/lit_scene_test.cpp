@@ -7,6 +7,7 @@
 #include "viewer/images/tone.h"
 #include "viewer/offscreen/gl_context.h"
 #include "viewer/window/files.h"
+#include "viewer/window/first_look.h"
 
 namespace lightwell {
 namespace {
@@ -56,6 +57,18 @@ TEST_F(LitRoom, WithABudgetItComesToTheExactLightWithinFrames) {
         EXPECT_TRUE(scene_.light(lamp_at(1), options, true));
     EXPECT_TRUE(scene_.is_at_rest());
     EXPECT_LT(unevenness(), 1e-3f);
+}
+
+TEST_F(LitRoom, AFirstLookIsThePictureInDirectLight) {
+    GlobalTransport nothing = first_look(testing::coloured_room().transport.scene);
+    EXPECT_FALSE(is_computed(nothing));
+    LitScene first(std::make_shared<const OpenedOperator>(opened(std::move(nothing))),
+                   context_->loader());
+    FrameView total, direct;
+    direct.picture = Picture::direct;
+    for (LitScene* scene : {&first, &scene_})
+        scene->light(lamp_at(1), {}, false);
+    EXPECT_EQ(first.linear(camera_, total, 64, 48).rgb, scene_.linear(camera_, direct, 64, 48).rgb);
 }
 
 TEST_F(LitRoom, KeepsWhatItDrew) {
