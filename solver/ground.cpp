@@ -22,7 +22,7 @@ Ground::Ground(const Scene& the_scene, OracleCost& cost)
     expected = positions_in_rooms(scene, visibility, lights, 20060626);
     tried = positions_in_rooms(scene, visibility, trials, 1992);
     unseen = positions_in_rooms(scene, visibility, judged, 1);
-    inside_of_solids = drop_inside_of_solids(expected, visibility, cost, elements, sides);
+    inside_of_solids = drop_inside_of_solids(quads, expected, visibility, cost, elements, sides);
     for (const SideSurvey& side : sides)
         closed.push_back(side.escaped == 0);
     distance = typical_distance(elements, sides);

@@ -39,33 +39,39 @@ std::vector<char> lit_backs(const std::vector<Vec3>& positions, const Visibility
     return seen;
 }
 
-/// Whether light that has been reflected once falls on a side: looks from it, and from what is met
-/// there to the nearest places where a light can be.
-///
-/// @param normals  by quad, of its front
-bool sees_light(const Element& element, const std::vector<Vec3>& normals,
+/// Whether light that has been reflected up to `reflections` times falls on a side: walks from it
+/// as light would come, and looks from where the walks are to the nearest places where a light can
+/// be.
+bool sees_light(const Element& element, int reflections, const std::vector<Quad>& quads,
                 const std::vector<Vec3>& positions, const Visibility& visibility,
                 std::uint64_t& rays) {
-    constexpr int looks = 256;
+    constexpr int walks = 256;
     constexpr std::size_t nearest = 8;
     std::vector<Vec3> places = positions;
     const std::size_t tried = std::min(nearest, places.size());
-    for (int k = 0; k < looks; ++k) {
-        const SurveyRay ray(element, k);
-        const Hit hit = visibility.nearest(ray.origin, element.quad, ray.direction);
-        ++rays;
-        if (!hit) continue;
-        const Vec3 met = ray.origin + hit.distance * ray.direction;
-        std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(tried),
-                          places.end(), [&](const Vec3& a, const Vec3& b) {
-                              return (a - met).squaredNorm() < (b - met).squaredNorm();
-                          });
-        rays += tried;
-        const Vec3& front = normals[static_cast<std::size_t>(hit.quad)];
-        for (std::size_t p = 0; p < tried; ++p)
-            if ((front.dot(places[p] - met) > 0) == hit.front &&
-                !visibility.occluded(met, hit.quad, places[p], free_point))
-                return true;
+    for (int k = 0; k < walks; ++k) {
+        SurveyRay ray(element, k);
+        int from = element.quad;
+        for (int r = 0; r < reflections; ++r) {
+            const Hit hit = visibility.nearest(ray.origin, from, ray.direction);
+            ++rays;
+            if (!hit) break;
+            const Vec3 met = ray.origin + hit.distance * ray.direction;
+            const Quad& front = quads[static_cast<std::size_t>(hit.quad)];
+            const Quad side = hit.front ? front : front.reversed();
+            const Vec3 normal = side.normal();
+            std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(tried),
+                              places.end(), [&](const Vec3& a, const Vec3& b) {
+                                  return (a - met).squaredNorm() < (b - met).squaredNorm();
+                              });
+            rays += tried;
+            for (std::size_t p = 0; p < tried; ++p)
+                if (normal.dot(places[p] - met) > 0 &&
+                    !visibility.occluded(met, hit.quad, places[p], free_point))
+                    return true;
+            ray = SurveyRay(met, side, k + (r + 1) * walks);
+            from = hit.quad;
+        }
     }
     return false;
 }
@@ -95,24 +101,25 @@ std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind) {
     return elements;
 }
 
-std::uint64_t drop_inside_of_solids(const std::vector<Vec3>& positions,
+std::uint64_t drop_inside_of_solids(const std::vector<Quad>& quads,
+                                    const std::vector<Vec3>& positions,
                                     const Visibility& visibility, OracleCost& cost,
                                     std::vector<Element>& elements,
                                     std::vector<SideSurvey>& survey) {
+    // Many walls of one room seen from outside are backs: a second look is enough. What sees the
+    // floor that a box without a bottom stands on is found out by longer walks.
     constexpr double mostly = 0.6;
+    constexpr int long_walk = 8;
     if (positions.empty()) return 0;
     const std::vector<char> is_lit = lit_backs(positions, visibility, cost);
-    std::vector<Vec3> normals(is_lit.size());
-    for (const Element& element : elements)
-        normals[static_cast<std::size_t>(element.quad)] =
-            (element.front ? 1 : -1) * element.geometry.normal();
     std::vector<char> inside(elements.size());
     std::atomic<std::uint64_t> rays{0};
     tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
         std::uint64_t own_rays = 0;
-        inside[e] = !elements[e].front && survey[e].escaped == 0 && survey[e].backs >= mostly &&
+        inside[e] = !elements[e].front && survey[e].escaped == 0 && survey[e].backs > 0 &&
                     is_lit[static_cast<std::size_t>(elements[e].quad)] == 0 &&
-                    !sees_light(elements[e], normals, positions, visibility, own_rays);
+                    !sees_light(elements[e], survey[e].backs >= mostly ? 1 : long_walk, quads,
+                                positions, visibility, own_rays);
         rays += own_rays;
     });
     cost.rays += rays;

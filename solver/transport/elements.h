@@ -14,14 +14,17 @@ namespace lightwell {
 /// @param blind  receives the number of sides dropped
 std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind);
 
-/// Drops the backs that lie inside solids: nothing escapes from them, most of what they meet are
-/// backs as well, none of the places where a light can be sees them, and they see no place that a
-/// light reaches, as they would through a gap in a wall. Without light they cost links, and darken
-/// what they stand on. The survey loses the same entries.
+/// Drops the backs that lie inside solids: nothing escapes from them, they meet backs as well, none
+/// of the places where a light can be sees them, and no light comes to them, as it would through a
+/// gap in a wall. Without light they cost links, and darken what they stand on. A box may lack the
+/// bottom that it stands on: from its lid most of what is met is a floor then. The survey loses the
+/// same entries.
 ///
+/// @param quads      of the scene
 /// @param positions  where lights can be
 /// @return the number of sides dropped
-std::uint64_t drop_inside_of_solids(const std::vector<Vec3>& positions,
+std::uint64_t drop_inside_of_solids(const std::vector<Quad>& quads,
+                                    const std::vector<Vec3>& positions,
                                     const Visibility& visibility, OracleCost& cost,
                                     std::vector<Element>& elements,
                                     std::vector<SideSurvey>& survey);

@@ -28,6 +28,11 @@ SurveyRay::SurveyRay(const Element& element, int k) {
     direction = local_frame(element.geometry) * direction_from_square({w[2], w[3]});
 }
 
+SurveyRay::SurveyRay(const Vec3& place, const Quad& side, int k) : origin(place) {
+    const Eigen::Array4d w = lattice(k);
+    direction = local_frame(side) * direction_from_square({w[2], w[3]});
+}
+
 std::vector<SideSurvey> survey_sides(const std::vector<Element>& elements,
                                      const Visibility& visibility, int rays, OracleCost& cost) {
     std::vector<SideSurvey> result(elements.size());

@@ -20,6 +20,8 @@ struct SideSurvey {
 /// directions.
 struct SurveyRay {
     SurveyRay(const Element& element, int k);
+    /// From one place of a side.
+    SurveyRay(const Vec3& place, const Quad& side, int k);
 
     Vec3 origin;
     Vec3 direction;

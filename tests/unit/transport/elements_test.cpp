@@ -37,7 +37,7 @@ std::vector<int> backs_left(const Scene& scene) {
     std::vector<SideSurvey> survey = survey_sides(elements, visibility, 256, cost);
     // None of these can look into the wall.
     const std::vector<Vec3> positions{{1, 1, 1.5}, {3, 1, 1.5}, {1, 1.9, 1.2}, {3, 1.9, 2}};
-    drop_inside_of_solids(positions, visibility, cost, elements, survey);
+    drop_inside_of_solids(quads, positions, visibility, cost, elements, survey);
     EXPECT_EQ(elements.size(), survey.size());
     std::vector<int> backs;
     for (const Element& element : elements)
@@ -47,6 +47,25 @@ std::vector<int> backs_left(const Scene& scene) {
 
 TEST(Elements, BacksInsideOfASolidAreDropped) {
     EXPECT_EQ(backs_left(room_with_wall(true)), std::vector<int>());
+}
+
+// A low box without a bottom: from its lid almost all that is met is the floor, whose front is lit
+// around the box. Raised a little, it is lit from below.
+TEST(Elements, BacksOfABoxWithoutABottomAreDropped) {
+    for (const double gap : {0.0, 0.03}) {
+        Scene scene = room_with_wall(true);
+        const std::vector<Quad> box = box_walls({0.5, 0.5, gap}, {1.1, 1.2, gap + 0.15});
+        const auto first = static_cast<int>(scene.quads.size());
+        std::vector<int> all;
+        for (const Quad& wall : box) {
+            const bool is_bottom = wall.normal().z() > 0.5;
+            if (is_bottom) continue;
+            all.push_back(static_cast<int>(scene.quads.size()));
+            scene.quads.push_back({wall.reversed(), 0});
+        }
+        ASSERT_EQ(static_cast<int>(scene.quads.size()), first + 5);
+        EXPECT_EQ(backs_left(scene), gap > 0 ? all : std::vector<int>()) << gap;
+    }
 }
 
 TEST(Elements, BacksThatSeeLightThroughAGapStay) {
