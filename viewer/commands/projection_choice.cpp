@@ -1,6 +1,5 @@
 #include "viewer/commands/projection_choice.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -14,17 +13,25 @@ namespace lightwell {
 
 namespace {
 
-/// Some of the scene's lamps, or one before its first quad.
+/// One of the scene's lamps, or one before its first quad: the ways differ alike for all.
 std::vector<Light> lights_to_try(const OpenedOperator& opened) {
-    constexpr std::size_t most = 4;
     const std::vector<Light>& lights = opened.transport.scene.lights;
-    if (!lights.empty())
-        return {lights.begin(),
-                lights.begin() + static_cast<std::ptrdiff_t>(std::min(most, lights.size()))};
+    if (!lights.empty()) return {lights[0]};
     PointLight anywhere;
     anywhere.position = opened.quads[0].centre() + opened.quads[0].normal();
     anywhere.intensity = Rgb::Ones();
     return {anywhere};
+}
+
+/// A beam from the same place, which meets few surfaces.
+SpotLight narrow(const Light& light) {
+    SpotLight beam;
+    beam.position = position_of(light);
+    beam.intensity = Rgb::Ones();
+    beam.direction = -Vec3::UnitZ();
+    beam.inner_angle = 5;
+    beam.outer_angle = 10;
+    return beam;
 }
 
 }  // namespace
@@ -47,8 +54,9 @@ ChosenProjection chosen_projection(const OpenedOperator& opened, const GlLoader&
                                                                   opened.occluders, loader));
     if (way != ProjectionWay::fastest) return {std::move(ways[0]), way};
     const LightProjection* const by_rays = ways[0].get();
+    const std::vector<Light> lights = lights_to_try(opened);
     std::unique_ptr<LightProjection> fastest =
-        fastest_projection(std::move(ways), lights_to_try(opened), space.functions());
+        fastest_projection(std::move(ways), {narrow(lights[0])}, lights, space.functions());
     const bool is_by_rays = fastest.get() == by_rays;
     return {std::move(fastest), is_by_rays ? ProjectionWay::rays : ProjectionWay::queries};
 }

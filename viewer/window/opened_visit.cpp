@@ -97,9 +97,9 @@ void WindowLoop::take_loaded() {
 }
 
 void WindowLoop::enter(const SharedOperator& opened) {
-    auto scene =
-        std::make_unique<LitScene>(opened, window_.loader(), request_.projection, request_.rows);
     const bool was_lit = !is_new_visit_ && scene_ && is_computed(scene_->opened()->transport);
+    auto scene = std::make_unique<LitScene>(opened, window_.loader(),
+                                            way_of_projecting(*opened, was_lit), request_.rows);
     if (is_new_visit_) begin_visit(*opened);
     if (visit_.probed && visit_.probed->quad >= static_cast<int>(opened->quads.size()))
         visit_.probed.reset();
@@ -117,6 +117,13 @@ void WindowLoop::enter(const SharedOperator& opened) {
                            100 * opened->transport.provenance.error_asked));
     const std::string assumption = assumption_text(path_, request_.computation.bare);
     if (!was_lit && !assumption.empty()) visit_.say(assumption);
+}
+
+/// Measuring takes seconds in large scenes: once for a scene, and not for the first look at it.
+ProjectionWay WindowLoop::way_of_projecting(const OpenedOperator& opened, bool was_lit) const {
+    if (request_.projection != ProjectionWay::fastest) return request_.projection;
+    if (was_lit) return scene_->projection();
+    return is_computed(opened.transport) ? ProjectionWay::fastest : ProjectionWay::rays;
 }
 
 void WindowLoop::begin_visit(const OpenedOperator& opened) {

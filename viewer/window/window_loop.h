@@ -66,6 +66,7 @@ class WindowLoop {
     void take_lights(const std::string& path);
     void take_loaded();
     void enter(const SharedOperator& opened);
+    ProjectionWay way_of_projecting(const OpenedOperator& opened, bool was_lit) const;
     void begin_visit(const OpenedOperator& opened);
 
     ViewRequest request_;

@@ -27,12 +27,24 @@ TEST(FastestProjection, CountsTheSecondTime) {
     double now = 100;
     std::vector<std::unique_ptr<LightProjection>> ways;
     ways.push_back(std::make_unique<TimedProjection>(1, 3, now));
-    ways.push_back(std::make_unique<TimedProjection>(9, 2, now));
+    ways.push_back(std::make_unique<TimedProjection>(90, 2, now));
     ways.push_back(std::make_unique<TimedProjection>(1, 2, now));
     const LightProjection* const wanted = ways[1].get();
-    const auto chosen =
-        fastest_projection(std::move(ways), {PointLight()}, 7, [&now] { return now; });
+    const auto chosen = fastest_projection(std::move(ways), {PointLight()}, {PointLight()}, 7,
+                                           [&now] { return now; });
     EXPECT_EQ(chosen.get(), wanted);
+}
+
+TEST(FastestProjection, NobodyWaitsForAllLightsOfOneThatIsFarTooSlowForFew) {
+    double now = 100;
+    std::vector<std::unique_ptr<LightProjection>> ways;
+    ways.push_back(std::make_unique<TimedProjection>(0.01, 0.01, now));
+    ways.push_back(std::make_unique<TimedProjection>(4, 4, now));
+    const LightProjection* const wanted = ways[0].get();
+    const auto chosen = fastest_projection(std::move(ways), {PointLight()}, {PointLight()}, 7,
+                                           [&now] { return now; });
+    EXPECT_EQ(chosen.get(), wanted);
+    EXPECT_NEAR(now, 108.02, 1e-9);
 }
 
 TEST(FastestProjection, TheClockGoesForwards) {
