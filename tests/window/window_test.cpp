@@ -120,6 +120,15 @@ TEST_F(CornellBoxWindow, WalksAndStopsAtTheBackWallUnlessTold) {
     EXPECT_NEAR(visit["eye"][1].get<double>(), -8 + 8 * 0.25 * 8, 1e-9);
 }
 
+TEST_F(CornellBoxWindow, IsExposedForThePictureBesideThePanel) {
+    const auto exposure_after = [&](const std::string& input) {
+        const ProgramRun run = lightwell(
+            {"view", file_, "--size", "900x300", "--replay", folder_.write("r.txt", input)});
+        return Json::parse(run.out)["exposure"].get<double>();
+    };
+    EXPECT_EQ(exposure_after("frames 3 0.02\n"), exposure_after("frames 3 0.02\n" + tap("x")));
+}
+
 TEST_F(CornellBoxWindow, LooksAroundWhereTheMouseDrags) {
     const Json visit =
         replayed(tap("tab") + drag(200, 250, 350, 250, "right") + drag(200, 270, 200, 220));

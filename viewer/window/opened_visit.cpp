@@ -108,7 +108,8 @@ void WindowLoop::enter(const SharedOperator& opened) {
     walls_.emplace(opened->quads, walker_radius(opened->quads));
     scene_->light(visit_.edits.shining(), visit_.update, false);
     history_.add(scene_->times());
-    if (!was_lit) expose();
+    // Within a frame, when it is known how much of the window the picture has.
+    if (!was_lit) visit_.ask(Command::expose);
     window_.set_title("Lightwell: " + opened->transport.scene.name);
     is_new_visit_ = false;
     frames_to_draw_ = frames_after_change;
