@@ -12,12 +12,12 @@
 namespace lightwell {
 
 /// Truncation of glossy scenes, over that of diffuse ones: it stays above the noise of the points
-/// that told the directions.
+/// that told the directions. Less where little is glossy.
 constexpr double glossy_looseness = 2;
 
 /// First guesses for surfaces whose light has directions: cells wider than on diffuse ones, since
 /// the light that one sees in a glossy surface varies with the place by way of its direction, and a
-/// looser truncation.
+/// looser truncation. Both hardly where little is glossy.
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground);
 
 /// As tighten, for scenes with gloss: their error is mostly that of lamps close to a glossy

@@ -157,7 +157,7 @@ Run finest_below(const CellTree& tree, std::uint32_t position) {
 }
 
 /// How full every direction of every finest cell is, by element: exchange over |X| |A|, of the
-/// links that are given and of those that rays decided.
+/// links that are given, which stay, and of those that rays decided.
 class Fullness {
   public:
     Fullness(const std::vector<Element>& elements, const std::vector<bool>& closed,
@@ -167,11 +167,14 @@ class Fullness {
             given_.emplace_back(element.functions(), 0.0);
             sampled_.emplace_back(element.functions(), 0.0);
         }
-        for (const DirectedPair& pair : pairs)
-            for (const DirectedLink& link : pair.links) {
-                add(pair.receiver, link.receiver, link.receiver_angle, link);
-                add(pair.sender, link.sender, link.sender_angle, link);
-            }
+        add(pairs, false, given_);
+    }
+
+    /// Counts the sampled links anew.
+    void sample(const std::vector<DirectedPair>& pairs) {
+        for (std::vector<double>& share : sampled_)
+            std::fill(share.begin(), share.end(), 0.0);
+        add(pairs, true, sampled_);
     }
 
     /// By how much the sampled links of a support should grow: on the mean over its finest parts.
@@ -218,12 +221,21 @@ class Fullness {
         }
     }
 
-    void add(std::uint32_t e, std::uint32_t space, std::uint32_t angle, const DirectedLink& link) {
+    void add(const std::vector<DirectedPair>& pairs, bool sampled, Share& to) const {
+        for (const DirectedPair& pair : pairs)
+            for (const DirectedLink& link : pair.links) {
+                if (link.sampled != sampled) continue;
+                add(pair.receiver, link.receiver, link.receiver_angle, link, to[pair.receiver]);
+                add(pair.sender, link.sender, link.sender_angle, link, to[pair.sender]);
+            }
+    }
+
+    void add(std::uint32_t e, std::uint32_t space, std::uint32_t angle, const DirectedLink& link,
+             std::vector<double>& share) const {
         const Element& element = elements_[e];
         const Run angles = finest_below(element.angle, angle);
         const double density = link.exchange * element.angle.functions() /
                                (angles.end - angles.first) / element.space.area_at(space);
-        std::vector<double>& share = (link.sampled ? sampled_ : given_)[e];
         for_finest(element, space, angle, [&](std::size_t at, double) { share[at] += density; });
     }
 
@@ -281,11 +293,12 @@ double close_directions(const std::vector<Element>& elements, const std::vector<
             original.back().push_back(link.exchange);
     }
     double before = 0;
+    Fullness fullness(elements, closed, pairs);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        const Fullness fullness(elements, closed, pairs);
+        fullness.sample(pairs);
         if (sweep == 0) before = fullness.rms();
         if (fullness.rms() < good_enough) break;
-        for (std::size_t p = 0; p < pairs.size(); ++p)
+        tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t p) {
             for (std::size_t k = 0; k < pairs[p].links.size(); ++k) {
                 DirectedLink& link = pairs[p].links[k];
                 if (!link.sampled) continue;
@@ -296,6 +309,7 @@ double close_directions(const std::vector<Element>& elements, const std::vector<
                     std::clamp(link.exchange * std::sqrt(wanted), original[p][k] / most_change,
                                original[p][k] * most_change);
             }
+        });
     }
     return before;
 }

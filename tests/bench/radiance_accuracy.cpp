@@ -44,7 +44,8 @@ struct Asked {
 
 std::vector<Camera> eyes_of(const Scene& scene, const std::vector<std::vector<double>>& given) {
     std::vector<Camera> eyes;
-    const Camera own = scene.camera.value_or(Camera{});
+    Camera own = scene.camera.value_or(Camera{});
+    if (!scene.camera) own.up = scene.up;
     for (const std::vector<double>& e : given) {
         Camera eye = own;
         eye.position = Vec3(e.at(0), e.at(1), e.at(2));

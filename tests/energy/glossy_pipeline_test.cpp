@@ -318,6 +318,27 @@ TEST(GlossyAttempts, GoOnWhereTheErrorIsMissed) {
     EXPECT_GT(reached.error_estimated, options.error);
 }
 
+// Small glossy things do not make the cells of a room wide and its truncation loose.
+TEST(GlossyAttempts, StartByHowMuchIsGlossy) {
+    PrecomputeOptions options;
+    const auto looser = [&options](const Scene& scene) {
+        OracleCost cost;
+        const Ground ground(scene, cost);
+        const Settings glossy = glossy_settings(options, ground);
+        const Settings diffuse = settings_for(options, ground.distance, ground.elements.size());
+        EXPECT_DOUBLE_EQ(glossy.truncation / diffuse.truncation,
+                         glossy.cell_size / diffuse.cell_size);
+        return glossy.truncation / diffuse.truncation;
+    };
+    EXPECT_DOUBLE_EQ(looser(room_with_floor(phong(5), 0.1)), 2);
+    Scene room = room_with_floor(Lobe(NoLobe{}), 0.1);
+    EXPECT_DOUBLE_EQ(looser(room), 1);
+    add_block(room, {2, 1, 1}, {2.2, 1.2, 1.2}, Rgb::Constant(0.3));
+    room.materials.back().lobe = phong(5);
+    EXPECT_GT(looser(room), 1);
+    EXPECT_LT(looser(room), 1.3);
+}
+
 TEST(GlossyAttempts, ShrinkCellsMost) {
     PrecomputeOptions options;
     Settings settings{0.4, 1e-4, 0.06, 0.6};
