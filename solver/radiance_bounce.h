@@ -40,6 +40,10 @@ struct AngularNeed {
     bool follows = true;
 };
 
+/// How far the light that a material reflects may be off, in the finest directions, for an error
+/// asked for of indirect light to be met.
+double followed_error(double error);
+
 /// The needs of the glossy materials of a scene, known before anything else is computed.
 /// @param error asked for of indirect light; > 0
 std::vector<AngularNeed> angular_needs(const Scene& scene, double error);

@@ -3,7 +3,8 @@
 //
 // The error is that of indirect radiance over the floor at three eye points against the path
 // tracer, whose noise is taken off: gathered, as `measure --probes` and `render` show it, and read
-// from the basis.
+// from the basis. The method ends where the finest directions leave more of the light that the
+// floor reflects off than can be followed: from there on `precompute` warns.
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -15,6 +16,7 @@
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/operator/smooth_irradiance.h"
+#include "radiance4d/scene/brdf.h"
 #include "solver/precompute.h"
 #include "solver/radiance_bounce.h"
 #include "tests/bench/counted_runs.h"
@@ -66,7 +68,8 @@ Errors errors_of(const OpenedOperator& opened) {
 /// What the room comes to, exponent by exponent.
 struct Findings {
     Series gathered{"gathered", {}}, basis{"read from the basis", {}},
-        lobe{"lobe itself in its directions", {}};
+        lobe{"lobe itself in its directions", {}},
+        finest{"light reflected, in the finest ones", {}}, followed{"what can be followed", {}};
     Series functions{"functions", {}}, links{"links", {}}, bounce{"coefficients of one bounce", {}},
         global{"coefficients of all bounces", {}}, milliseconds{"milliseconds", {}};
 };
@@ -86,6 +89,10 @@ void run(benchmark::State& state, double exponent, Findings& findings) {
     const std::uint64_t bounce = transport.bounce.coefficients();
     const std::uint64_t links = transport.provenance.links;
     const AngularNeed need = angular_needs(scene, error_asked).front();
+    const Material& floor = scene.materials[floor_z0];
+    const double specular = lobe_reflectance(floor.lobe).mean();
+    const double finest = AngularReflection::at_level(floor.lobe, 5).error() * specular /
+                          (specular + floor.reflectance.mean());
     const Errors errors = errors_of(opened(std::move(transport)));
 
     const auto note = [&](Series& series, const std::string& name, double value) {
@@ -95,6 +102,8 @@ void run(benchmark::State& state, double exponent, Findings& findings) {
     state.counters["level"] = need.level;
     state.counters["follows"] = need.follows ? 1 : 0;
     note(findings.lobe, "lobe_error_%", 100 * need.error);
+    note(findings.finest, "finest_%", 100 * finest);
+    note(findings.followed, "followed_%", 100 * followed_error(error_asked));
     note(findings.gathered, "gathered_%", 100 * errors.gathered);
     note(findings.basis, "basis_%", 100 * errors.basis);
     note(findings.functions, "functions", static_cast<double>(report.cells));
@@ -135,7 +144,8 @@ int main(int argc, char** argv) {
         write_chart("glossy-error", {"Glossy floor at 5 %: error against the Phong exponent",
                                      "Phong exponent",
                                      "relative error [%]",
-                                     {findings.gathered, findings.basis, findings.lobe}});
+                                     {findings.gathered, findings.basis, findings.lobe,
+                                      findings.finest, findings.followed}});
         write_chart("glossy-cost", {"Glossy floor at 5 %: cost against the Phong exponent",
                                     "Phong exponent",
                                     "count, and milliseconds",
