@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -70,7 +69,9 @@ using OperatorOf = GlobalTransport (*)(const Ground&, const PrecomputeOptions&, 
 struct Pipeline {
     OperatorOf operator_of;
     Settings (*first_guess)(const PrecomputeOptions&, const Ground&);
-    void (*tighten)(const PrecomputeOptions&, double missed, Settings&);
+    using Tighten = void (*)(const PrecomputeOptions&, double missed, Settings&);
+    /// What makes an operator better: the first, until it is of little use, then the other.
+    Tighten tighten, tighten_else;
     /// Basis functions at given settings, and the memory [bytes] that they take.
     double (*functions)(const Ground&, const PrecomputeOptions&, const Settings&);
     double (*memory)(double functions, double truncation);
@@ -86,19 +87,31 @@ double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const S
     return cells_at(ground.elements, settings);
 }
 
-constexpr Pipeline diffuse_pipeline = {
-    diffuse_operator, diffuse_settings, tighten, diffuse_functions, memory_for, 1, 8000};
+constexpr Pipeline diffuse_pipeline = {diffuse_operator,  diffuse_settings, tighten, tighten_cells,
+                                       diffuse_functions, memory_for,       1,       8000};
 constexpr Pipeline glossy_pipeline = {
-    glossy_operator,   glossy_settings,  tighten_glossy, glossy_functions,
-    glossy_memory_for, glossy_looseness, 50000};
+    glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy,
+    glossy_functions, glossy_memory_for, glossy_looseness, 50000};
 
 /// Memory [bytes] to compute an operator of tighter settings than one that came to so many links.
 double memory_for_links(std::uint64_t links, const Settings& settings, const Settings& tighter) {
     // Measured: 38 to 71 bytes a link, which multiply as the tolerance to the power of -0.4 to
-    // -0.7.
+    // -0.7, and at most as the cells.
     constexpr double bytes_a_link = 75, growth = 0.7;
     return bytes_a_link * static_cast<double>(links) *
-           std::pow(settings.oracle_tolerance / tighter.oracle_tolerance, growth);
+           std::pow(settings.oracle_tolerance / tighter.oracle_tolerance, growth) *
+           std::pow(settings.cell_size / tighter.cell_size, 2);
+}
+
+/// How many times the first errors are as large as the others, for the lights that have both: one
+/// light differs more from another than operators do.
+double better_by(const std::vector<double>& before, const std::vector<double>& now) {
+    double squares_before = 0, squares_now = 0;
+    for (std::size_t k = 0; k < std::min(before.size(), now.size()); ++k) {
+        squares_before += before[k] * before[k];
+        squares_now += now[k] * now[k];
+    }
+    return squares_now > 0 ? std::sqrt(squares_before / squares_now) : 1;
 }
 
 /// Operators of one scene, each tighter than the last, and the verdict on the last.
@@ -221,18 +234,25 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
         silent.stop_requested = progress.stop_requested;
         attempts.build_and_judge(*preview, silent);
     }
-    double missed_before = std::numeric_limits<double>::infinity();
+    // An attempt that was little better than the last is not followed by more of the same; one that
+    // was hardly better for either reason by none, which would cost as much as all of them
+    // together.
+    constexpr double little = 1.15, hardly = 1.05;
+    Pipeline::Tighten tighten = pipeline.tighten, other = pipeline.tighten_else;
+    std::vector<double> errors_before;
+    bool hardly_before = pipeline.tighten == pipeline.tighten_else;
     for (report.attempts = 1;; ++report.attempts) {
-        // An attempt that was hardly better than the last is not followed by another, which would
-        // cost as much as all of them together.
-        constexpr double hardly_better = 0.95;
         const double missed = attempts.build_and_judge(settings, progress);
-        if (missed <= 1 || missed > hardly_better * missed_before ||
-            report.attempts >= options.most_attempts)
-            return;
-        missed_before = missed;
+        if (missed <= 1 || report.attempts >= options.most_attempts) return;
+        if (report.attempts > 1) {
+            const double better = better_by(errors_before, report.error_by_light);
+            if (better < hardly && hardly_before) return;
+            if (better < little) std::swap(tighten, other);
+            hardly_before = hardly_before || better < hardly;
+        }
+        errors_before = report.error_by_light;
         Settings tighter = settings;
-        pipeline.tighten(options, missed, tighter);
+        tighten(options, missed, tighter);
         if (tighter == settings) return;
         // What there is, is better than a failure.
         const double functions = pipeline.functions(ground, options, tighter);

@@ -35,6 +35,9 @@ double error_guessed_for(const Provenance& provenance);
 /// wrong as asked.
 void tighten(const PrecomputeOptions& options, double missed, Settings& settings);
 
+/// Makes cells finer instead, unless their size is set by hand.
+void tighten_cells(const PrecomputeOptions& options, double missed, Settings& settings);
+
 /// The oracle that the options name. The references must outlive it.
 ///
 /// @param area  of all elements [m2]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -39,23 +40,29 @@ std::vector<char> lit_backs(const std::vector<Vec3>& positions, const Visibility
     return seen;
 }
 
-/// Whether light that has been reflected up to `reflections` times falls on a side: walks from it
-/// as light would come, and looks from where the walks are to the nearest places where a light can
-/// be.
-bool sees_light(const Element& element, int reflections, const std::vector<Quad>& quads,
-                const std::vector<Vec3>& positions, const Visibility& visibility,
-                std::uint64_t& rays) {
+/// Walks from a side as light would come to it, which tell whether it is in the dark.
+struct DarkWalks {
+    bool dark = true;            ///< none came to a place that a light can reach
+    std::vector<int> met_backs;  ///< quads whose backs they met, if it is
+    std::uint64_t rays = 0;
+};
+
+/// @param reflections  at most on a walk
+DarkWalks dark_walks(const Element& element, int reflections, const std::vector<Quad>& quads,
+                     const std::vector<Vec3>& positions, const Visibility& visibility) {
     constexpr int walks = 256;
     constexpr std::size_t nearest = 8;
     std::vector<Vec3> places = positions;
     const std::size_t tried = std::min(nearest, places.size());
+    DarkWalks result;
     for (int k = 0; k < walks; ++k) {
         SurveyRay ray(element, k);
         int from = element.quad;
         for (int r = 0; r < reflections; ++r) {
             const Hit hit = visibility.nearest(ray.origin, from, ray.direction);
-            ++rays;
+            ++result.rays;
             if (!hit) break;
+            if (!hit.front) result.met_backs.push_back(hit.quad);
             const Vec3 met = ray.origin + hit.distance * ray.direction;
             const Quad& front = quads[static_cast<std::size_t>(hit.quad)];
             const Quad side = hit.front ? front : front.reversed();
@@ -64,16 +71,45 @@ bool sees_light(const Element& element, int reflections, const std::vector<Quad>
                               places.end(), [&](const Vec3& a, const Vec3& b) {
                                   return (a - met).squaredNorm() < (b - met).squaredNorm();
                               });
-            rays += tried;
-            for (std::size_t p = 0; p < tried; ++p)
+            result.rays += tried;
+            for (std::size_t p = 0; p < tried; ++p) {
                 if (normal.dot(places[p] - met) > 0 &&
-                    !visibility.occluded(met, hit.quad, places[p], free_point))
-                    return true;
+                    !visibility.occluded(met, hit.quad, places[p], free_point)) {
+                    result.dark = false;
+                    return result;
+                }
+            }
             ray = SurveyRay(met, side, k + (r + 1) * walks);
             from = hit.quad;
         }
     }
-    return false;
+    return result;
+}
+
+/// Takes back the verdict on sides in cavities of which another back is not inside of a solid:
+/// where some light comes in, all of the cavity counts.
+///
+/// @param met_backs  by element; empty where the verdict stands
+/// @param inside     by element
+void keep_whole_cavities(const std::vector<Element>& elements,
+                         const std::vector<std::vector<int>>& met_backs,
+                         std::vector<char>& inside) {
+    std::map<int, std::size_t> back_of;
+    for (std::size_t e = 0; e < elements.size(); ++e)
+        if (!elements[e].front) back_of[elements[e].quad] = e;
+    const auto is_kept = [&](int quad) {
+        const auto found = back_of.find(quad);
+        return found != back_of.end() && inside[found->second] == 0;
+    };
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t e = 0; e < elements.size(); ++e) {
+            if (inside[e] == 0 || std::none_of(met_backs[e].begin(), met_backs[e].end(), is_kept))
+                continue;
+            inside[e] = 0;
+            changed = true;
+        }
+    }
 }
 
 }  // namespace
@@ -106,23 +142,28 @@ std::uint64_t drop_inside_of_solids(const std::vector<Quad>& quads,
                                     const Visibility& visibility, OracleCost& cost,
                                     std::vector<Element>& elements,
                                     std::vector<SideSurvey>& survey) {
-    // Many walls of one room seen from outside are backs: a second look is enough. What sees the
-    // floor that a box without a bottom stands on is found out by longer walks.
+    // Where most of what is met are backs, one reflection tells. The lid of a box without a bottom
+    // mostly meets the floor it stands on, as the underside of a table does: longer walks tell.
     constexpr double mostly = 0.6;
     constexpr int long_walk = 8;
     if (positions.empty()) return 0;
     const std::vector<char> is_lit = lit_backs(positions, visibility, cost);
     std::vector<char> inside(elements.size());
+    std::vector<std::vector<int>> met_backs(elements.size());
     std::atomic<std::uint64_t> rays{0};
     tbb::parallel_for(std::size_t{0}, elements.size(), [&](std::size_t e) {
-        std::uint64_t own_rays = 0;
-        inside[e] = !elements[e].front && survey[e].escaped == 0 && survey[e].backs > 0 &&
-                    is_lit[static_cast<std::size_t>(elements[e].quad)] == 0 &&
-                    !sees_light(elements[e], survey[e].backs >= mostly ? 1 : long_walk, quads,
-                                positions, visibility, own_rays);
-        rays += own_rays;
+        if (elements[e].front || survey[e].escaped > 0 || survey[e].backs == 0 ||
+            is_lit[static_cast<std::size_t>(elements[e].quad)] != 0)
+            return;
+        const bool is_clear = survey[e].backs >= mostly;
+        DarkWalks walks =
+            dark_walks(elements[e], is_clear ? 1 : long_walk, quads, positions, visibility);
+        inside[e] = walks.dark ? 1 : 0;
+        if (!is_clear) met_backs[e] = std::move(walks.met_backs);
+        rays += walks.rays;
     });
     cost.rays += rays;
+    keep_whole_cavities(elements, met_backs, inside);
     std::vector<Element> kept;
     std::vector<SideSurvey> kept_survey;
     for (std::size_t e = 0; e < elements.size(); ++e) {

@@ -17,8 +17,8 @@ std::vector<Element> seeing_elements(const Scene& scene, std::uint64_t& blind);
 /// Drops the backs that lie inside solids: nothing escapes from them, they meet backs as well, none
 /// of the places where a light can be sees them, and no light comes to them, as it would through a
 /// gap in a wall. Without light they cost links, and darken what they stand on. A box may lack the
-/// bottom that it stands on: from its lid most of what is met is a floor then. The survey loses the
-/// same entries.
+/// bottom that it stands on: from its lid most of what is met is a floor then. Where some light
+/// comes into such a cavity, all of its sides stay. The survey loses the same entries.
 ///
 /// @param quads      of the scene
 /// @param positions  where lights can be

@@ -88,21 +88,26 @@ Vec3 moved_to_open(const Element& element, const ParameterRect& rect, const Fron
     return point;
 }
 
-/// Share of a cell in front of a plane that is open. 1 where nothing is in front.
+/// Share of a cell in front of a plane that is open. Where none of its samples is in front, the
+/// sliver that is counts as open, unless all of the cell is buried.
 double open_share(const Element& element, const Cell& cell, const FrontOf& front) {
     if (element.open.empty()) return 1;
     constexpr int samples_along = 8;  // those of a finest cell's mask
     const ParameterRect rect = element.space.tree().rect(cell);
-    int in_front = 0, open = 0;
+    int in_front = 0, open_in_front = 0;
+    bool buried = true;
     for (int j = 0; j < samples_along; ++j) {
         for (int i = 0; i < samples_along; ++i) {
             const Vec2 at = in_rect(rect, (i + 0.5) / samples_along, (j + 0.5) / samples_along);
+            const bool is_open = element.is_sample_open(at[0], at[1]);
+            if (is_open) buried = false;
             if (!front.holds(element.geometry.point(at[0], at[1]))) continue;
             ++in_front;
-            if (element.is_sample_open(at[0], at[1])) ++open;
+            if (is_open) ++open_in_front;
         }
     }
-    return in_front == 0 ? 1 : static_cast<double>(open) / in_front;
+    if (buried) return 0;
+    return in_front == 0 ? 1 : static_cast<double>(open_in_front) / in_front;
 }
 
 FrontOf front_of(const Element& element, const Vec3& normal) {
