@@ -59,11 +59,15 @@ RadianceBounceOptions bounce_options(const PrecomputeOptions& options, const Set
 
 }  // namespace
 
+double glossy_looseness(const Ground& ground) {
+    return 1 + glossiness(ground);
+}
+
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
     constexpr double wider = 2;
     if (!options.cell_size) settings.cell_size *= 1 + (wider - 1) * glossiness(ground);
-    if (!options.truncation) settings.truncation *= 1 + (glossy_looseness - 1) * glossiness(ground);
+    if (!options.truncation) settings.truncation *= glossy_looseness(ground);
     settings.angular_tolerance = angular_resolution(options.error).tolerance;
     return settings;
 }

@@ -12,8 +12,8 @@
 namespace lightwell {
 
 /// Truncation of glossy scenes, over that of diffuse ones: it stays above the noise of the points
-/// that told the directions. Less where little is glossy.
-constexpr double glossy_looseness = 2;
+/// that told the directions. Between 1 and 2: less where little is glossy.
+double glossy_looseness(const Ground& ground);
 
 /// First guesses for surfaces whose light has directions: cells wider than on diffuse ones, since
 /// the light that one sees in a glossy surface varies with the place by way of its direction, and a

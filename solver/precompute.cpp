@@ -75,8 +75,8 @@ struct Pipeline {
     /// Basis functions at given settings, and the memory [bytes] that they take.
     double (*functions)(const Ground&, const PrecomputeOptions&, const Settings&);
     double (*memory)(double functions, double truncation);
-    double looseness;      ///< of truncation
-    double worth_preview;  ///< functions from which the work is long
+    double (*looseness)(const Ground&);  ///< of truncation
+    double worth_preview;                ///< functions from which the work is long
 };
 
 Settings diffuse_settings(const PrecomputeOptions& options, const Ground& ground) {
@@ -87,8 +87,13 @@ double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const S
     return cells_at(ground.elements, settings);
 }
 
-constexpr Pipeline diffuse_pipeline = {diffuse_operator,  diffuse_settings, tighten, tighten_cells,
-                                       diffuse_functions, memory_for,       1,       8000};
+double no_looseness(const Ground&) {
+    return 1;
+}
+
+constexpr Pipeline diffuse_pipeline = {
+    diffuse_operator,  diffuse_settings, tighten,      tighten_cells,
+    diffuse_functions, memory_for,       no_looseness, 8000};
 constexpr Pipeline glossy_pipeline = {
     glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy,
     glossy_functions, glossy_memory_for, glossy_looseness, 50000};
@@ -203,9 +208,12 @@ Settings first_settings(const Pipeline& pipeline, const PrecomputeOptions& optio
                         const Ground& ground) {
     Settings settings = pipeline.first_guess(options, ground);
     if (!options.earlier) return settings;
-    const double guessed = error_guessed_for(*options.earlier) / pipeline.looseness;
+    const double guessed = error_guessed_for(*options.earlier) / pipeline.looseness(ground);
     const double missed = guessed > 0 ? options.earlier->error_estimated / (0.9 * guessed) : 0;
     if (missed > 1) pipeline.tighten(options, missed, settings);
+    // Finer cells than guessed were found to be needed.
+    if (!options.cell_size && options.error <= options.earlier->error_asked)
+        settings.cell_size = std::min(settings.cell_size, options.earlier->cell_size);
     return settings;
 }
 
