@@ -261,6 +261,7 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
         errors_before = report.error_by_light;
         Settings tighter = settings;
         tighten(options, missed, tighter);
+        if (tighter == settings) other(options, missed, tighter);
         if (tighter == settings) return;
         // What there is, is better than a failure.
         const double functions = pipeline.functions(ground, options, tighter);

@@ -6,6 +6,7 @@
 #include "solver/reading/scene_reader.h"
 #include "solver/reference/error_estimate.h"
 #include "solver/reference/random_lights.h"
+#include "tests/unit/reference/rooms.h"
 
 namespace lightwell {
 namespace {
@@ -55,6 +56,30 @@ TEST(Convergence, TheBoundIsBelowTheErrorAskedFor) {
             EXPECT_LE(reached.error_bound, asked) << name << ": " << reached.error_basis;
             EXPECT_EQ(report.attempts, 1) << name << ": a few lamps more, and it is sure";
         }
+}
+
+// With links set by hand there is nothing but cells to refine.
+TEST(Convergence, CellsAreRefinedWhereLinksAreSetByHand) {
+    std::array<Rgb, 6> grey;
+    grey.fill(Rgb::Constant(0.2));
+    Scene scene = box_scene({6, 4, 3}, grey);
+    add_block(scene, {4, 2, 0}, {4.5, 2.6, 0.4}, grey[0]);
+    PrecomputeOptions options;
+    options.oracle_tolerance = 1e-3;
+    options.truncation = 0.03;
+    PrecomputeReport report;
+    options.most_attempts = 1;
+    const Provenance first = precompute(scene, options, {}, report).provenance;
+    options.most_attempts = 2;
+    const Provenance second = precompute(scene, options, {}, report).provenance;
+    EXPECT_EQ(report.attempts, 2);
+    EXPECT_LT(second.cell_size, first.cell_size);
+    EXPECT_EQ(second.oracle_tolerance, first.oracle_tolerance);
+    EXPECT_EQ(second.truncation, first.truncation);
+    // Asked for again, it starts with these cells.
+    options.most_attempts = 1;
+    options.earlier = second;
+    EXPECT_EQ(precompute(scene, options, {}, report).provenance.cell_size, second.cell_size);
 }
 
 }  // namespace
