@@ -326,9 +326,9 @@ TEST(Precompute, AnAttemptThatDoesNotFitIsNotMade) {
 // What is set by hand stays: with nothing left to tighten there is no second attempt.
 TEST(Precompute, NothingIsComputedAgainWithTheSameSettings) {
     const ScratchFolder folder;
-    const ProgramRun run =
-        lightwell({"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error",
-                   "0.05", "--truncation", "0.3", "--oracle-tolerance", "0.001", "--json"});
+    const ProgramRun run = lightwell(
+        {"precompute", sample_scene("cornell-box"), "-o", folder / "x.gto", "--error", "0.05",
+         "--truncation", "0.3", "--oracle-tolerance", "0.001", "--cell-size", "0.5", "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
     const nlohmann::json report = nlohmann::json::parse(run.out);
     EXPECT_GT(report["error_estimated"], 0.05);
