@@ -28,8 +28,9 @@ SurveyRay::SurveyRay(const Element& element, int k) {
     direction = local_frame(element.geometry) * direction_from_square({w[2], w[3]});
 }
 
-SurveyRay::SurveyRay(const Vec3& place, const Quad& side, int k) : origin(place) {
+SurveyRay::SurveyRay(const Vec3& place, const Quad& side, int k) {
     const Eigen::Array4d w = lattice(k);
+    origin = place;
     direction = local_frame(side) * direction_from_square({w[2], w[3]});
 }
 
