@@ -248,7 +248,7 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
     constexpr double little = 1.15, hardly = 1.05;
     Pipeline::Tighten tighten = pipeline.tighten, other = pipeline.tighten_else;
     std::vector<double> errors_before;
-    bool hardly_before = pipeline.tighten == pipeline.tighten_else;
+    bool hardly_before = tighten == other;  // where there is one reason only, once is enough
     for (report.attempts = 1;; ++report.attempts) {
         const double missed = attempts.build_and_judge(settings, progress);
         if (missed <= 1 || report.attempts >= options.most_attempts) return;
