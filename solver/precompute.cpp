@@ -108,15 +108,15 @@ double memory_for_links(std::uint64_t links, const Settings& settings, const Set
            std::pow(settings.cell_size / tighter.cell_size, 2);
 }
 
-/// How many times the first errors are as large as the others, for the lights that have both: one
-/// light differs more from another than operators do.
+/// How many times the first errors are as large as the others, both given by their squares, for the
+/// lights that have both: one light differs more from another than operators do.
 double better_by(const std::vector<double>& before, const std::vector<double>& now) {
-    double squares_before = 0, squares_now = 0;
+    double sum_before = 0, sum_now = 0;
     for (std::size_t k = 0; k < std::min(before.size(), now.size()); ++k) {
-        squares_before += before[k] * before[k];
-        squares_now += now[k] * now[k];
+        sum_before += before[k];
+        sum_now += now[k];
     }
-    return squares_now > 0 ? std::sqrt(squares_before / squares_now) : 1;
+    return sum_before > 0 && sum_now > 0 ? std::sqrt(sum_before / sum_now) : 1;
 }
 
 /// Operators of one scene, each tighter than the last, and the verdict on the last.
@@ -175,14 +175,14 @@ class Attempts {
     }
 
     void note(const Settings& settings) {
-        report_.error_by_light = estimate_.by_light;
+        report_.squared_errors = estimate_.squares;
         Provenance& provenance = last_->provenance;
         provenance.program = "lightwell";
         provenance.oracle = options_.oracle == OracleKind::geometric ? "geometric" : "variation";
         provenance.error_asked = options_.error;
         provenance.error_estimated = estimate_.rms();
         provenance.error_bound = estimate_.interval().high;
-        if (!estimate_.by_light.empty()) provenance.error_basis = basis_of(judged_);
+        if (!estimate_.squares.empty()) provenance.error_basis = basis_of(judged_);
         provenance.energy_dropped = estimate_.energy_dropped();
         provenance.cell_size = settings.cell_size;
         provenance.oracle_tolerance = settings.oracle_tolerance;
@@ -247,18 +247,18 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
     // together.
     constexpr double little = 1.15, hardly = 1.05;
     Pipeline::Tighten tighten = pipeline.tighten, other = pipeline.tighten_else;
-    std::vector<double> errors_before;
+    std::vector<double> squares_before;
     bool hardly_before = tighten == other;  // where there is one reason only, once is enough
     for (report.attempts = 1;; ++report.attempts) {
         const double missed = attempts.build_and_judge(settings, progress);
         if (missed <= 1 || report.attempts >= options.most_attempts) return;
         if (report.attempts > 1) {
-            const double better = better_by(errors_before, report.error_by_light);
+            const double better = better_by(squares_before, report.squared_errors);
             if (better < hardly && hardly_before) return;
             if (better < little) std::swap(tighten, other);
             hardly_before = hardly_before || better < hardly;
         }
-        errors_before = report.error_by_light;
+        squares_before = report.squared_errors;
         Settings tighter = settings;
         tighten(options, missed, tighter);
         if (tighter == settings) other(options, missed, tighter);

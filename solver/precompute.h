@@ -50,8 +50,8 @@ struct PrecomputeReport {
     int attempts = 0;             ///< operators built until one was good enough, without a preview
     bool interrupted = false;  ///< whether the operator is what there was when it was interrupted
     std::int64_t estimate_rays = 0;  ///< traced to judge them, beside those in Provenance::rays
-    std::vector<double>
-        error_by_light;  ///< of the last one: relative rms errors of lights it was not made for
+    /// Of the last one, for lights it was not made for (see ErrorEstimate::squares).
+    std::vector<double> squared_errors;
     std::uint64_t coefficients_before = 0;  ///< of M before truncation
     ClosureReport closure;
     std::map<std::string, double> seconds;  ///< by stage, with "total"

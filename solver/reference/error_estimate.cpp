@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -86,10 +87,8 @@ Verdict verdict_on(const GlobalTransport& transport, const std::vector<Quad>& qu
 }  // namespace
 
 double ErrorEstimate::rms() const {
-    double squares = 0;
-    for (const double error : by_light)
-        squares += error * error;
-    return by_light.empty() ? 0 : std::sqrt(squares / static_cast<double>(by_light.size()));
+    const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+    return squares.empty() ? 0 : std::sqrt(std::max(0.0, sum) / static_cast<double>(squares.size()));
 }
 
 double ErrorEstimate::energy_dropped() const {
@@ -97,16 +96,18 @@ double ErrorEstimate::energy_dropped() const {
 }
 
 Interval ErrorEstimate::interval() const {
-    if (by_light.size() < 2) return {rms(), rms(), rms()};
-    std::vector<WeighedValue> squares;
-    for (const double error : by_light)
-        squares.push_back({error * error});
-    return rms_interval(squares);
+    if (squares.size() < 2) return {rms(), rms(), rms()};
+    std::vector<WeighedValue> weighed;
+    for (const double square : squares)
+        weighed.push_back({square});
+    return rms_interval(weighed);
 }
 
 double ErrorEstimate::ninth_of_ten() const {
-    if (by_light.empty()) return 0;
-    std::vector<double> sorted = by_light;
+    if (squares.empty()) return 0;
+    std::vector<double> sorted;
+    for (const double square : squares)
+        sorted.push_back(std::sqrt(std::max(0.0, square)));
     std::sort(sorted.begin(), sorted.end());
     // Linear between order statistics.
     const double at = 0.9 * static_cast<double>(sorted.size() - 1);
@@ -126,13 +127,9 @@ IrradianceSurvey traced_indirect(const Scene& scene, const Visibility& visibilit
                                  const NoiseTarget& target, const PathTracing& how) {
     if (std::none_of(scene.materials.begin(), scene.materials.end(), is_glossy))
         return PathTracer(scene, visibility, {lamp}).indirect_to(target, points, how);
-    PathTracing many = how;
-    many.samples = static_cast<int>(std::min(static_cast<double>(target.most_samples),
-                                             1 / (target.relative * target.relative)));
     LightSurvey survey =
-        RadianceTracer(scene, visibility, {lamp}).indirect_irradiance(points, many);
-    return {std::move(survey.at), survey.rays,
-            std::int64_t{many.samples} * static_cast<std::int64_t>(points.size())};
+        RadianceTracer(scene, visibility, {lamp}).indirect_irradiance_to(target, points, how);
+    return {std::move(survey.at), survey.rays, survey.paths};
 }
 
 std::vector<double> visible_shares(const RadianceSpace& space, const Visibility& visibility,
@@ -220,8 +217,9 @@ void add_errors(const GlobalTransport& transport, const std::vector<Quad>& quads
     for (const Verdict& verdict : verdicts) {
         estimate.stored_flux += verdict.stored_flux;
         estimate.solved_flux += verdict.solved_flux;
-        if (verdict.deviation.reference_rms > 0)
-            estimate.by_light.push_back(verdict.deviation.relative_rms);
+        if (verdict.deviation.reference_square > 0)
+            estimate.squares.push_back(verdict.deviation.square /
+                                       verdict.deviation.reference_square);
     }
 }
 

@@ -44,9 +44,7 @@ struct JudgedLight {
 std::vector<double> visible_shares(const RadianceSpace& space, const Visibility& visibility,
                                    const std::vector<SurfacePoint>& points);
 
-/// Indirect irradiance at surface points by path tracing, whatever the materials. Where one is
-/// glossy, every point gets as many paths as suffice for the noisiest of diffuse ones, since the
-/// tracer of such scenes knows no target.
+/// Indirect irradiance at surface points by path tracing to a given noise, whatever the materials.
 IrradianceSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
                                  const PointLight& lamp, const std::vector<SurfacePoint>& points,
                                  const NoiseTarget& target, const PathTracing& how);
@@ -74,9 +72,10 @@ std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
 
 /// The error of an operator for some lights, judged by path tracing.
 struct ErrorEstimate {
-    /// By light: relative root mean square over the surface of the indirect illuminance that a
-    /// picture shows (the gathered operator, reconstructed smoothly) against the judge.
-    std::vector<double> by_light;
+    /// By light: the mean square over the surface of what a picture shows wrongly of the indirect
+    /// illuminance (the gathered operator, reconstructed smoothly), over the mean square of that.
+    /// Free of bias, the judge's noise taken off, so one may come out below 0.
+    std::vector<double> squares;
     Rgb stored_flux = Rgb::Zero();  ///< indirect flux [lm] of the first lights, by the operator
     Rgb solved_flux = Rgb::Zero();  ///< the same by solving on the bounce operator
 

@@ -11,16 +11,6 @@
 
 namespace lightwell {
 
-namespace {
-
-/// Standard error of luminance, taking the channels' errors as fully correlated (they share every
-/// ray), which overstates it if anything.
-double luminance_error(const IrradianceEstimate& estimate) {
-    return luminance(estimate.standard_error);
-}
-
-}  // namespace
-
 PathTracer::PathTracer(const Scene& scene, const Visibility& visibility,
                        const std::vector<Light>& lights)
     : walk_(scene, visibility, lights) {}
@@ -84,24 +74,7 @@ IrradianceSurvey PathTracer::indirect_to(const NoiseTarget& target,
     PathTracing trial_how = how;
     trial_how.seed = RandomStream(how.seed).bits();
     const IrradianceSurvey trial = indirect(points, trial_how);
-
-    double squares = 0;
-    for (const IrradianceEstimate& one : trial.at)
-        squares += std::pow(luminance(one.mean), 2);
-    const auto count = static_cast<double>(std::max<std::size_t>(1, points.size()));
-    const double least_measure = target.floor * std::sqrt(squares / count);
-
-    // A trial's own error is uncertain by an eighth with 32 batches: ask for a third more.
-    const double margin = 1.33;
-    const double fewest = 4.0 * how.batches;
-    const double most = std::max(fewest, static_cast<double>(target.most_samples));
-    std::vector<int> samples;
-    for (const IrradianceEstimate& one : trial.at) {
-        const double allowed = target.relative * std::max(luminance(one.mean), least_measure);
-        const double excess = allowed > 0 ? luminance_error(one) / allowed : 0;
-        samples.push_back(
-            static_cast<int>(std::clamp(margin * how.samples * excess * excess, fewest, most)));
-    }
+    const std::vector<int> samples = samples_for(target, trial.at, how.samples, how.batches);
     IrradianceSurvey result = survey(points, LightAsked::indirect, samples, how);
     result.rays += trial.rays;
     result.paths += trial.paths;

@@ -7,6 +7,7 @@
 #include "radiance4d/scene/visibility.h"
 #include "solver/reference/light_estimate.h"
 #include "solver/reference/light_walk.h"
+#include "solver/reference/noise_target.h"
 #include "solver/reference/surface_points.h"
 
 namespace lightwell {
@@ -17,17 +18,6 @@ struct PathTracing {
     int batches = 32;        ///< independent groups, whose scatter gives the error; at least 2
     int roulette_after = 3;  ///< bounces that every path makes; then it goes on with chance albedo
     std::uint64_t seed = 1;
-};
-
-/// How much noise is welcome.
-struct NoiseTarget {
-    /// Standard error of luminance over the point's own mean, or over `floor` times the root mean
-    /// square of the means of all points, whichever allows more.
-    double relative = 0.01;
-    /// 0: every point to its own measure, however dark. 1: dark points only as far as they matter
-    /// for the root mean square error over the points, several times cheaper.
-    double floor = 0.1;
-    int most_samples = 1 << 20;  ///< per point, whatever the noise
 };
 
 /// Irradiance with its noise [lx].

@@ -112,6 +112,32 @@ TEST(RadianceTracer, AgreesWithThePathTracerOnDiffuseScenes) {
             4.5 * std::hypot(one.standard_error[0], 0.5 / M_PI * plain.at[15].standard_error[0]));
 }
 
+// A lamp close to a polished floor makes paths that differ by far more than the number of paths says.
+TEST(RadianceTracer, KeepsToANoise) {
+    Scene scene = box_scene({3, 2, 2.5}, all_walls(0.5));
+    scene.materials[floor_z0].reflectance = Rgb::Constant(0.1);
+    scene.materials[floor_z0].lobe = PhongLobe{Rgb::Constant(0.6), 40};
+    const Visibility visibility = visibility_of(scene);
+    const RadianceTracer tracer(scene, visibility, {lamp_at({0.4, 0.5, 0.2})});
+    const std::vector<SurfacePoint> points = grid_on(scene, x0, 5);
+    NoiseTarget target;
+    target.floor = 1;
+    for (const double relative : {0.1, 0.02}) {
+        target.relative = relative;
+        const LightSurvey survey = tracer.indirect_irradiance_to(target, points, samples(128));
+        double squares = 0, noise = 0;
+        for (const LightEstimate& one : survey.at) {
+            squares += std::pow(luminance(one.mean), 2);
+            noise += std::pow(luminance(one.standard_error), 2);
+        }
+        EXPECT_LT(std::sqrt(noise / squares), 1.1 * relative);
+        // Not by more paths than it takes: a third more were asked for, and most points are darker
+        // than the measure.
+        EXPECT_GT(std::sqrt(noise / squares), 0.3 * relative);
+        EXPECT_GT(survey.paths, 0);
+    }
+}
+
 class OneGlossyWall : public ::testing::TestWithParam<Lobe> {
   protected:
     void SetUp() override {
