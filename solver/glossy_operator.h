@@ -15,14 +15,16 @@ namespace lightwell {
 /// that told the directions. Between 1 and 2: less where little is glossy.
 double glossy_looseness(const Ground& ground);
 
-/// First guesses for surfaces whose light has directions: cells wider than on diffuse ones, since
-/// the light that one sees in a glossy surface varies with the place by way of its direction, and a
-/// looser truncation. Both hardly where little is glossy.
+/// First guesses for scenes with gloss: a looser truncation, and cells that are wider than in
+/// diffuse scenes but on glossy sides. Both hardly where little is glossy.
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground);
 
-/// As tighten, for scenes with gloss: their error is mostly that of lamps close to a glossy
-/// surface, whose directions vary within a cell, so that cells shrink most.
+/// As tighten, for scenes with gloss: directions are cut once more as well, and cells where much is
+/// missing.
 void tighten_glossy(const PrecomputeOptions& options, double missed, Settings& settings);
+
+/// The same with finer cells in place of finer directions, unless their size is set by hand.
+void tighten_glossy_cells(const PrecomputeOptions& options, double missed, Settings& settings);
 
 /// Basis functions at given settings.
 double glossy_functions(const Ground& ground, const PrecomputeOptions& options,

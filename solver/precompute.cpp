@@ -1,6 +1,7 @@
 #include "solver/precompute.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -95,7 +96,7 @@ constexpr Pipeline diffuse_pipeline = {
     diffuse_operator,  diffuse_settings, tighten,      tighten_cells,
     diffuse_functions, memory_for,       no_looseness, 8000};
 constexpr Pipeline glossy_pipeline = {
-    glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy,
+    glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy_cells,
     glossy_functions, glossy_memory_for, glossy_looseness, 50000};
 
 /// Memory [bytes] to compute an operator of tighter settings than one that came to so many links.
@@ -232,6 +233,26 @@ std::optional<Settings> preview_settings(const Pipeline& pipeline, const Precomp
     return pipeline.first_guess(asked, ground);
 }
 
+/// What the first of two ways to tighten makes of settings, or, where that changes nothing or does
+/// not fit into memory, the second; none where neither does.
+///
+/// @param links  that the settings came to
+std::optional<Settings> tighter_settings(const Pipeline& pipeline, const PrecomputeOptions& options,
+                                         const Ground& ground, const Settings& settings,
+                                         double missed, std::uint64_t links,
+                                         const std::array<Pipeline::Tighten, 2>& ways) {
+    for (const Pipeline::Tighten tighten : ways) {
+        Settings tighter = settings;
+        tighten(options, missed, tighter);
+        if (tighter == settings) continue;
+        const double functions = pipeline.functions(ground, options, tighter);
+        const double needed = std::max(pipeline.memory(functions, tighter.truncation),
+                                       memory_for_links(links, settings, tighter));
+        if (needed <= static_cast<double>(options.max_memory)) return tighter;
+    }
+    return std::nullopt;
+}
+
 /// 2. to 6., again and again, until an operator is good enough or no other is allowed.
 void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
              const PrecomputeOptions& options, const Progress& progress, PrecomputeReport& report) {
@@ -248,7 +269,7 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
     constexpr double little = 1.15, hardly = 1.05;
     Pipeline::Tighten tighten = pipeline.tighten, other = pipeline.tighten_else;
     std::vector<double> squares_before;
-    bool hardly_before = tighten == other;  // where there is one reason only, once is enough
+    bool hardly_before = false;
     for (report.attempts = 1;; ++report.attempts) {
         const double missed = attempts.build_and_judge(settings, progress);
         if (missed <= 1 || report.attempts >= options.most_attempts) return;
@@ -259,17 +280,10 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
             hardly_before = hardly_before || better < hardly;
         }
         squares_before = report.squared_errors;
-        Settings tighter = settings;
-        tighten(options, missed, tighter);
-        if (tighter == settings) other(options, missed, tighter);
-        if (tighter == settings) return;
-        // What there is, is better than a failure.
-        const double functions = pipeline.functions(ground, options, tighter);
-        const double needed =
-            std::max(pipeline.memory(functions, tighter.truncation),
-                     memory_for_links(attempts.last()->provenance.links, settings, tighter));
-        if (needed > static_cast<double>(options.max_memory)) return;
-        settings = tighter;
+        const auto tighter = tighter_settings(pipeline, options, ground, settings, missed,
+                                              attempts.last()->provenance.links, {tighten, other});
+        if (!tighter) return;  // what there is, is better than a failure
+        settings = *tighter;
     }
 }
 

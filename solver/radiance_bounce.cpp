@@ -49,6 +49,18 @@ std::vector<AngularDetail> set_angles(const Scene& scene, const AngularResolutio
     return detail;
 }
 
+/// Cells and directions of all elements. @return detail by element
+std::vector<AngularDetail> set_cells_and_angles(const Scene& scene,
+                                                const RadianceBounceOptions& options,
+                                                std::vector<Element>& elements) {
+    std::vector<AngularDetail> detail = set_angles(scene, options.angle, elements);
+    for (Element& element : elements) {
+        const double finer = element.angle.levels() > 0 ? options.finer_gloss : 1;
+        set_cells(element, options.cell_size / finer, most_space_levels);
+    }
+    return detail;
+}
+
 }  // namespace
 
 AngularResolution angular_resolution(double error) {
@@ -91,8 +103,7 @@ std::vector<AngularNeed> angular_needs(const Scene& scene, double error) {
 
 double directed_functions(const Ground& ground, const RadianceBounceOptions& options) {
     std::vector<Element> elements = ground.elements;
-    set_cells(elements, options.cell_size, most_space_levels);
-    set_angles(ground.scene, options.angle, elements);
+    set_cells_and_angles(ground.scene, options, elements);
     double functions = 0;
     for (const Element& element : elements)
         functions += element.functions();
@@ -103,8 +114,7 @@ DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions
                                const Progress& progress, OracleCost& cost) {
     // 1. Elements, their cells in space and direction, and what of them is open.
     std::vector<Element> elements = ground.elements;
-    set_cells(elements, options.cell_size, most_space_levels);
-    const std::vector<AngularDetail> detail = set_angles(ground.scene, options.angle, elements);
+    const std::vector<AngularDetail> detail = set_cells_and_angles(ground.scene, options, elements);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     double area = 0;
     for (const Element& element : elements)

@@ -19,6 +19,7 @@ namespace lightwell {
 /// How finely radiance is carried between surfaces of which some are glossy.
 struct RadianceBounceOptions {
     double cell_size = 0.25;  ///< largest side of a finest spatial cell [m]; > 0
+    double finer_gloss = 1;   ///< times that the cells of glossy sides are finer; >= 1
     GeometricOracleOptions oracle;
     AngularResolution angle;
     DirectionalOracleOptions directions;

@@ -88,7 +88,8 @@ Verdict verdict_on(const GlobalTransport& transport, const std::vector<Quad>& qu
 
 double ErrorEstimate::rms() const {
     const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
-    return squares.empty() ? 0 : std::sqrt(std::max(0.0, sum) / static_cast<double>(squares.size()));
+    return squares.empty() ? 0
+                           : std::sqrt(std::max(0.0, sum) / static_cast<double>(squares.size()));
 }
 
 double ErrorEstimate::energy_dropped() const {

@@ -86,8 +86,8 @@ LightSurvey RadianceTracer::indirect_irradiance_to(const NoiseTarget& target,
     PathTracing trial_how = how;
     trial_how.seed = RandomStream(how.seed).bits();
     const LightSurvey trial = indirect_irradiance(points, trial_how);
-    LightSurvey result = survey_irradiance(
-        points, samples_for(target, trial.at, how.samples, how.batches), how);
+    LightSurvey result =
+        survey_irradiance(points, samples_for(target, trial.at, how.samples, how.batches), how);
     result.rays += trial.rays;
     result.paths += trial.paths;
     return result;

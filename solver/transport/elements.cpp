@@ -177,14 +177,17 @@ std::uint64_t drop_inside_of_solids(const std::vector<Quad>& quads,
     return dropped;
 }
 
+void set_cells(Element& element, double cell_size, int most_levels) {
+    const std::array<Vec3, 4>& p = element.geometry.vertex;
+    const double along_u = std::max((p[1] - p[0]).norm(), (p[2] - p[3]).norm());
+    const double along_v = std::max((p[3] - p[0]).norm(), (p[2] - p[1]).norm());
+    element.space =
+        HaarBasis(element.geometry, tree_for_extents(along_u, along_v, cell_size, most_levels));
+}
+
 void set_cells(std::vector<Element>& elements, double cell_size, int most_levels) {
-    for (Element& element : elements) {
-        const std::array<Vec3, 4>& p = element.geometry.vertex;
-        const double along_u = std::max((p[1] - p[0]).norm(), (p[2] - p[3]).norm());
-        const double along_v = std::max((p[3] - p[0]).norm(), (p[2] - p[1]).norm());
-        element.space =
-            HaarBasis(element.geometry, tree_for_extents(along_u, along_v, cell_size, most_levels));
-    }
+    for (Element& element : elements)
+        set_cells(element, cell_size, most_levels);
 }
 
 double typical_distance(const std::vector<Element>& elements,

@@ -29,8 +29,10 @@ std::uint64_t drop_inside_of_solids(const std::vector<Quad>& quads,
                                     std::vector<Element>& elements,
                                     std::vector<SideSurvey>& survey);
 
-/// Gives every element its cells, at most `cell_size` [m] along either side of the quad, at most
+/// Gives an element its cells, at most `cell_size` [m] along either side of the quad, at most
 /// `most_levels` levels.
+void set_cells(Element& element, double cell_size, int most_levels);
+/// The same for every element.
 void set_cells(std::vector<Element>& elements, double cell_size, int most_levels);
 
 /// The distance that light typically travels between surfaces [m]: the median over all area of

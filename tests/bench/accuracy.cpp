@@ -187,8 +187,8 @@ void run(const Request& request) {
     }
     std::cout << fmt::format(
         "picture rms {:.4f} worst {:.4f}, gather rms {:.4f}; {} of {} above {}\n", picture.rms(),
-        std::sqrt(*std::max_element(picture.squares.begin(), picture.squares.end())), gather.rms(), above,
-        judged.size(), request.precompute.error);
+        std::sqrt(*std::max_element(picture.squares.begin(), picture.squares.end())), gather.rms(),
+        above, judged.size(), request.precompute.error);
 }
 
 /// Reads the command line into the request. @return whether there is something to do.

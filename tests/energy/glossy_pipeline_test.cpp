@@ -339,22 +339,60 @@ TEST(GlossyAttempts, StartByHowMuchIsGlossy) {
     EXPECT_LT(looser(room), 1.3);
 }
 
-TEST(GlossyAttempts, ShrinkCellsMost) {
+TEST(GlossyAttempts, CutDirectionsAndWhereMuchIsMissingCells) {
     PrecomputeOptions options;
-    Settings settings{0.4, 1e-4, 0.06, 0.6};
-    tighten_glossy(options, 3, settings);
-    EXPECT_DOUBLE_EQ(settings.cell_size, 0.2);
-    EXPECT_DOUBLE_EQ(settings.angular_tolerance, 0.6 * std::sqrt(0.5));
-    EXPECT_LT(settings.oracle_tolerance, 1e-4);
-    EXPECT_LT(settings.truncation, 0.06);
-    options.cell_size = 0.2;
-    options.truncation = settings.truncation;
-    const Settings before = settings;
+    const Settings before{0.4, 1e-4, 0.06, 0.6};
+    for (const double missed : {1.2, 3.0}) {
+        Settings settings = before;
+        tighten_glossy(options, missed, settings);
+        EXPECT_LT(settings.angular_tolerance, before.angular_tolerance);
+        EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
+        EXPECT_LT(settings.truncation, before.truncation);
+        EXPECT_EQ(settings.cell_size, missed > 2 ? 0.2 : 0.4);
+        settings = before;
+        tighten_glossy_cells(options, missed, settings);
+        EXPECT_EQ(settings.angular_tolerance, before.angular_tolerance);
+        EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
+        EXPECT_LT(settings.cell_size, before.cell_size);
+    }
+    options.cell_size = 0.4;
+    options.truncation = 0.06;
+    options.oracle_tolerance = 1e-4;
+    Settings settings = before;
     tighten_glossy(options, 3, settings);
     EXPECT_EQ(settings.cell_size, before.cell_size);
     EXPECT_EQ(settings.truncation, before.truncation);
-    EXPECT_EQ(settings.angular_tolerance, before.angular_tolerance);
-    EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
+    EXPECT_EQ(settings.oracle_tolerance, before.oracle_tolerance);
+    EXPECT_LT(settings.angular_tolerance, before.angular_tolerance);
+    settings = before;
+    tighten_glossy_cells(options, 3, settings);
+    EXPECT_EQ(settings, before);
+}
+
+// Walls show what a floor reflects no better than its directions are known.
+TEST(GlossyAttempts, GlossySidesHaveTheFinerCells) {
+    const Scene scene = room_with_floor(phong(20), 0.1);
+    PrecomputeOptions options;
+    options.error = 0.2;
+    options.most_attempts = 0;
+    PrecomputeReport report;
+    const auto cells_by_gloss = [&] {
+        std::array<std::uint32_t, 2> cells{};
+        const GlobalTransport made = precompute(scene, options, {}, report);
+        for (const Element& element : made.space.elements()) {
+            const bool glossy = element.angle.levels() > 0;
+            // The floor is as large as the ceiling.
+            if (std::abs(element.geometry.normal()[2]) > 0.5)
+                cells[glossy ? 1 : 0] = element.space.tree().functions();
+        }
+        return cells;
+    };
+    const auto [ceiling, floor] = cells_by_gloss();
+    EXPECT_GT(ceiling, 0U);
+    EXPECT_EQ(floor, 4 * ceiling);
+    options.cell_size = 0.5;  // set by hand: the same everywhere
+    const auto [ceiling_by_hand, floor_by_hand] = cells_by_gloss();
+    EXPECT_EQ(floor_by_hand, ceiling_by_hand);
 }
 
 // What a tighter one would take is known before it is built.

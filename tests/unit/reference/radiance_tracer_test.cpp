@@ -112,7 +112,8 @@ TEST(RadianceTracer, AgreesWithThePathTracerOnDiffuseScenes) {
             4.5 * std::hypot(one.standard_error[0], 0.5 / M_PI * plain.at[15].standard_error[0]));
 }
 
-// A lamp close to a polished floor makes paths that differ by far more than the number of paths says.
+// A lamp close to a polished floor makes paths that differ by far more than the number of paths
+// says.
 TEST(RadianceTracer, KeepsToANoise) {
     Scene scene = box_scene({3, 2, 2.5}, all_walls(0.5));
     scene.materials[floor_z0].reflectance = Rgb::Constant(0.1);
