@@ -125,21 +125,25 @@ void Reflection::reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
 }
 
 Eigen::SparseMatrix<double> Reflection::matrix(const Rgb& shares, double smallest) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const OfElement& element : of_element_) {
-        const RowMatrix angles = between_angles(element, shares);
-        for (Eigen::Index k = 0; k < element.cells; ++k) {
-            const Eigen::Index first = element.first + k * element.angles;
-            for (Eigen::Index a = 0; a < element.angles; ++a)
-                for (Eigen::Index b = 0; b < element.angles; ++b)
-                    if (std::abs(angles(a, b)) > smallest)
-                        entries.emplace_back(static_cast<int>(first + a),
-                                             static_cast<int>(first + b), angles(a, b));
-        }
-    }
     const auto n = static_cast<Eigen::Index>(functions_);
     Eigen::SparseMatrix<double> result(n, n);
-    result.setFromTriplets(entries.begin(), entries.end());
+    Eigen::Index entries = 0;
+    for (const OfElement& element : of_element_)
+        entries +=
+            element.cells * (between_angles(element, shares).array().abs() > smallest).count();
+    result.reserve(entries);
+    // Elements, their cells and the functions of these follow each other, and so do the columns.
+    for (const OfElement& element : of_element_) {
+        const RowMatrix angles = between_angles(element, shares);
+        for (Eigen::Index j = 0; j < element.cells * element.angles; ++j) {
+            const Eigen::Index b = j % element.angles, column = element.first + j;
+            result.startVec(column);
+            for (Eigen::Index a = 0; a < element.angles; ++a)
+                if (std::abs(angles(a, b)) > smallest)
+                    result.insertBack(column - b + a, column) = angles(a, b);
+        }
+    }
+    result.finalize();
     return result;
 }
 

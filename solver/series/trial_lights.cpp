@@ -27,7 +27,13 @@ LightBlock applied(const Eigen::SparseMatrix<double>& global, const LightBlock& 
 }  // namespace
 
 LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x) {
-    LightBlock y = LightBlock::Zero(x.rows(), lanes);
+    LightBlock y;
+    propagate(bounce, x, y);
+    return y;
+}
+
+void propagate(const SymmetricOperator& bounce, const LightBlock& x, LightBlock& y) {
+    y.setZero(x.rows(), lanes);
     const TransportOperator& upper = bounce.upper;
     for (std::uint32_t column = 0; column < upper.size; ++column) {
         for (std::uint64_t k = upper.column_start[column]; k < upper.column_start[column + 1];
@@ -38,7 +44,6 @@ LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x) {
             if (row != column) y.row(column) += value * x.row(row);
         }
     }
-    return y;
 }
 
 TrialLights trial_lights(const std::vector<Eigen::ArrayXd>& fields) {

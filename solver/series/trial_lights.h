@@ -20,6 +20,8 @@ TrialLights trial_lights(const std::vector<Eigen::ArrayXd>& fields);
 
 /// M x.
 LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x);
+/// The same into y, which is made as large as x; not x itself.
+void propagate(const SymmetricOperator& bounce, const LightBlock& x, LightBlock& y);
 
 /// Indirect light x = T (E + x), T = M diag(reflectance), solved to 1e-4: by correction steps with
 /// H (I + H, an approximate inverse of I - T), or, without one, by at most 40 plain iterations.
