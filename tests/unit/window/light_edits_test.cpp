@@ -1,11 +1,11 @@
 #include "viewer/window/light_edits.h"
 
-#include <filesystem>
-#include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "solver/reading/scene_reader.h"
+#include "tests/scratch_folder.h"
 #include "viewer/window/light_text.h"
 
 namespace lightwell {
@@ -107,12 +107,11 @@ TEST(LightEdits, AKindChangedAndChangedBackIsTheSameLight) {
 class SavedText : public ::testing::Test {
   protected:
     std::string written(const std::string& text) const {
-        std::ofstream(path_, std::ios::binary) << text;
-        return path_;
+        return folder_.write("lights.toml", text);
     }
-    ~SavedText() override { std::filesystem::remove(path_); }
 
-    std::string path_ = ::testing::TempDir() + "lightwell_saved_lights.toml";
+  private:
+    lightwell::testing::ScratchFolder folder_;
 };
 
 TEST_F(SavedText, IsReadBackToTheLastBit) {
