@@ -45,11 +45,12 @@ double glossiness(const Ground& ground) {
     return std::min(1.0, glossy / (enough * all));
 }
 
-/// How many times as wide the cells of diffuse sides are as in a diffuse scene: light that they get
-/// from glossy sides is known no better than its directions, and finer cells show where one
-/// direction ends. Light in scenes/glossy is 7.0 % off where cells of the floor are 0.2 m wide and
-/// those of the walls 0.4 m; 7.3 % with 0.2 m everywhere, at three times as many links; 8.2 % with
-/// 0.1 m on the walls; 11.0 % with 0.4 m everywhere; all with 64 directions.
+/// How many times as wide the cells of diffuse sides are as in a diffuse scene, and as those of
+/// glossy sides: light that they get from these is known no better than its directions, and finer
+/// cells show where one direction ends. Light in scenes/glossy is 7.0 % off where cells of the
+/// floor are 0.2 m wide and those of the walls 0.4 m; 7.3 % with 0.2 m everywhere, at three times
+/// as many links; 8.2 % with 0.1 m on the walls; 11.0 % with 0.4 m everywhere; all with 64
+/// directions.
 double wider_cells(const Ground& ground) {
     return 1 + glossiness(ground);
 }
@@ -114,9 +115,11 @@ double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
     return directed_functions(ground, bounce_options(ground, options, settings));
 }
 
-double glossy_memory_for(double functions, double truncation) {
-    // Measured are 3.8 to 5.3 kB a function.
-    constexpr double bytes_a_function = 5500, bytes_a_pair = 120;
+double glossy_memory_for(const Ground& ground, double functions, double truncation) {
+    // Measured are 3.8 to 5.3 kB a function with 48 lights, 10.9 kB with 361.
+    constexpr double bytes_apart = 4500, bytes_a_light = 25, bytes_a_pair = 120;
+    const double bytes_a_function =
+        bytes_apart + bytes_a_light * static_cast<double>(ground.expected.size());
     return bytes_a_function * functions +
            (truncation == 0 ? bytes_a_pair * functions * functions : 0);
 }
@@ -127,8 +130,8 @@ GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& o
                                 PrecomputeReport& report) {
     report.blind_sides = ground.blind_sides;
     const double functions = glossy_functions(ground, options, settings);
-    require_memory(functions, glossy_memory_for(functions, settings.truncation),
-                   glossy_memory_for(functions, 1), options.max_memory);
+    require_memory(functions, glossy_memory_for(ground, functions, settings.truncation),
+                   glossy_memory_for(ground, functions, 1), options.max_memory);
     OracleCost links_cost;
     DirectedBounce bounce =
         directed_bounce(ground, bounce_options(ground, options, settings), progress, links_cost);

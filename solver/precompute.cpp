@@ -75,7 +75,7 @@ struct Pipeline {
     Tighten tighten, tighten_else;
     /// Basis functions at given settings, and the memory [bytes] that they take.
     double (*functions)(const Ground&, const PrecomputeOptions&, const Settings&);
-    double (*memory)(double functions, double truncation);
+    double (*memory)(const Ground&, double functions, double truncation);
     double (*looseness)(const Ground&);  ///< of truncation
     double worth_preview;                ///< functions from which the work is long
 };
@@ -88,13 +88,17 @@ double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const S
     return cells_at(ground.elements, settings);
 }
 
+double diffuse_memory(const Ground&, double functions, double truncation) {
+    return memory_for(functions, truncation);
+}
+
 double no_looseness(const Ground&) {
     return 1;
 }
 
 constexpr Pipeline diffuse_pipeline = {
     diffuse_operator,  diffuse_settings, tighten,      tighten_cells,
-    diffuse_functions, memory_for,       no_looseness, 8000};
+    diffuse_functions, diffuse_memory,   no_looseness, 8000};
 constexpr Pipeline glossy_pipeline = {
     glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy_cells,
     glossy_functions, glossy_memory_for, glossy_looseness, 50000};
@@ -246,7 +250,7 @@ std::optional<Settings> tighter_settings(const Pipeline& pipeline, const Precomp
         tighten(options, missed, tighter);
         if (tighter == settings) continue;
         const double functions = pipeline.functions(ground, options, tighter);
-        const double needed = std::max(pipeline.memory(functions, tighter.truncation),
+        const double needed = std::max(pipeline.memory(ground, functions, tighter.truncation),
                                        memory_for_links(links, settings, tighter));
         if (needed <= static_cast<double>(options.max_memory)) return tighter;
     }

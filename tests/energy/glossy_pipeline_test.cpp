@@ -404,7 +404,7 @@ TEST(GlossyAttempts, EndWhereMemoryDoes) {
     const Ground ground(scene, cost);
     const Settings first = glossy_settings(options, ground);
     const double functions = glossy_functions(ground, options, first);
-    options.max_memory = static_cast<std::uint64_t>(1.01 * glossy_memory_for(functions, 1));
+    options.max_memory = static_cast<std::uint64_t>(1.01 * glossy_memory_for(ground, functions, 1));
     PrecomputeReport report;
     const GlobalTransport reached = precompute(scene, options, {}, report);
     EXPECT_EQ(report.attempts, 1);
@@ -424,7 +424,7 @@ TEST(GlossyAttempts, RefuseWhatMemoryDoesNotAllow) {
     const double functions = glossy_functions(ground, options, glossy_settings(options, ground));
     PrecomputeReport report, refused;
     EXPECT_EQ(precompute(scene, options, {}, report).space.functions(), functions);
-    options.max_memory = static_cast<std::uint64_t>(0.9 * glossy_memory_for(functions, 1));
+    options.max_memory = static_cast<std::uint64_t>(0.9 * glossy_memory_for(ground, functions, 1));
     EXPECT_THROW(precompute(scene, options, {}, refused), InputError);
     EXPECT_EQ(refused.links_judged, 0U);
 }
