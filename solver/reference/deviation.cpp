@@ -8,7 +8,7 @@
 
 namespace lightwell {
 
-Deviation deviation_from(const std::vector<IrradianceEstimate>& reference,
+Deviation deviation_from(const std::vector<LightEstimate>& reference,
                          const std::vector<Rgb>& values, const std::vector<double>& weight) {
     LIGHTWELL_CHECK_OP(reference.size(), ==, values.size());
     if (!weight.empty()) LIGHTWELL_CHECK_OP(weight.size(), ==, values.size());

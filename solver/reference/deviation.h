@@ -31,7 +31,7 @@ struct Deviation {
 
 /// Compares irradiances [lx] point by point; both lists have the same length.
 /// @param weight  by point, >= 0: how much it counts in all sums; empty: all alike
-Deviation deviation_from(const std::vector<IrradianceEstimate>& reference,
+Deviation deviation_from(const std::vector<LightEstimate>& reference,
                          const std::vector<Rgb>& values, const std::vector<double>& weight = {});
 
 }  // namespace lightwell

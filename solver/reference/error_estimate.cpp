@@ -123,14 +123,12 @@ Scene without_emission(Scene scene) {
     return scene;
 }
 
-IrradianceSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
-                                 const PointLight& lamp, const std::vector<SurfacePoint>& points,
-                                 const NoiseTarget& target, const PathTracing& how) {
+LightSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
+                            const PointLight& lamp, const std::vector<SurfacePoint>& points,
+                            const NoiseTarget& target, const PathTracing& how) {
     if (std::none_of(scene.materials.begin(), scene.materials.end(), is_glossy))
         return PathTracer(scene, visibility, {lamp}).indirect_to(target, points, how);
-    LightSurvey survey =
-        RadianceTracer(scene, visibility, {lamp}).indirect_irradiance_to(target, points, how);
-    return {std::move(survey.at), survey.rays, survey.paths};
+    return RadianceTracer(scene, visibility, {lamp}).indirect_irradiance_to(target, points, how);
 }
 
 std::vector<double> visible_shares(const RadianceSpace& space, const Visibility& visibility,
@@ -147,7 +145,7 @@ JudgedLight judged_light(const Scene& dark, const Visibility& visibility, const 
     PathTracing tracing;
     tracing.samples = 64;
     tracing.seed = seed;
-    IrradianceSurvey survey = traced_indirect(dark, visibility, lamp, points, target, tracing);
+    LightSurvey survey = traced_indirect(dark, visibility, lamp, points, target, tracing);
     return {lamp, std::move(points), std::move(weight), std::move(survey.at), survey.rays};
 }
 

@@ -34,8 +34,8 @@ struct JudgedLight {
     std::vector<SurfacePoint> points;
     std::vector<double>
         weight;  ///< by point: how much it counts, as a rule how well it can be seen
-    std::vector<IrradianceEstimate> truth;  ///< by point
-    std::int64_t rays = 0;                  ///< traced to know
+    std::vector<LightEstimate> truth;  ///< by point
+    std::int64_t rays = 0;             ///< traced to know
 };
 
 /// How well points can be seen, in [0,1]: the cosine-weighted share of the hemisphere over each
@@ -45,9 +45,9 @@ std::vector<double> visible_shares(const RadianceSpace& space, const Visibility&
                                    const std::vector<SurfacePoint>& points);
 
 /// Indirect irradiance at surface points by path tracing to a given noise, whatever the materials.
-IrradianceSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
-                                 const PointLight& lamp, const std::vector<SurfacePoint>& points,
-                                 const NoiseTarget& target, const PathTracing& how);
+LightSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
+                            const PointLight& lamp, const std::vector<SurfacePoint>& points,
+                            const NoiseTarget& target, const PathTracing& how);
 
 /// Judges a scene without emission for one lamp at given points.
 /// @param weight  of the points

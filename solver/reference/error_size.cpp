@@ -11,14 +11,14 @@ namespace {
 
 /// Means of what is shown.
 LightMeasure mean_of(const ShownPoints& shown) {
-    const std::vector<IrradianceEstimate> darkness(shown.value.size());
+    const std::vector<LightEstimate> darkness(shown.value.size());
     const Deviation deviation = deviation_from(darkness, shown.value, shown.weight);
     return {deviation.square, deviation.mean};
 }
 
 }  // namespace
 
-LightMeasure measure_of(const std::vector<IrradianceEstimate>& judged, const ShownPoints& few,
+LightMeasure measure_of(const std::vector<LightEstimate>& judged, const ShownPoints& few,
                         const ShownPoints& many) {
     const Deviation truth = deviation_from(judged, few.value, few.weight);
     // By the weights' expectation, not their sum: a ratio of two sums would be biased.
@@ -46,7 +46,7 @@ double NoisySizes::quantile(double share) const {
     return std::sqrt(scale) * quantile_of(seen_, share);
 }
 
-void ErrorCollection::add(const std::vector<IrradianceEstimate>& judged, const ShownPoints& shown,
+void ErrorCollection::add(const std::vector<LightEstimate>& judged, const ShownPoints& shown,
                           const LightMeasure& measure, double lamp_weight) {
     const Deviation deviation = deviation_from(judged, shown.value, shown.weight);
     squares_.push_back({deviation.square / measure.square, lamp_weight});

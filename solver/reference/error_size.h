@@ -47,7 +47,7 @@ struct LightMeasure {
 /// Judged at few places and shown at many: what is shown at the many, scaled by what the judge
 /// finds at the few over what is shown there. Where these agree, the few places do not add
 /// uncertainty.
-LightMeasure measure_of(const std::vector<IrradianceEstimate>& judged, const ShownPoints& few,
+LightMeasure measure_of(const std::vector<LightEstimate>& judged, const ShownPoints& few,
                         const ShownPoints& many);
 
 /// Sizes of errors that were seen through noise. The noise spreads them; they are scaled back to
@@ -67,7 +67,7 @@ class ErrorCollection {
   public:
     /// Irradiance at the places of one more lamp of 1 cd.
     /// @param lamp_weight  how much the lamp counts among the others
-    void add(const std::vector<IrradianceEstimate>& judged, const ShownPoints& shown,
+    void add(const std::vector<LightEstimate>& judged, const ShownPoints& shown,
              const LightMeasure& measure, double lamp_weight);
     /// What there is to say about the lamps so far, at least two.
     ErrorSize size() const;

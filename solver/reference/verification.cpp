@@ -25,8 +25,8 @@ std::vector<Rgb> with(std::vector<Rgb> values, const std::vector<Rgb>& more) {
     return values;
 }
 
-std::vector<IrradianceEstimate> with(std::vector<IrradianceEstimate> estimates,
-                                     const std::vector<Rgb>& more) {
+std::vector<LightEstimate> with(std::vector<LightEstimate> estimates,
+                                const std::vector<Rgb>& more) {
     for (std::size_t k = 0; k < estimates.size(); ++k)
         estimates[k].mean += more[k];
     return estimates;
@@ -50,7 +50,7 @@ struct WayErrors {
         constexpr double seen_well = 0.5;  // a place that hardly anybody sees is not the worst
         for (std::size_t k = 0; k < shown.size(); ++k) {
             if (visible[k] < seen_well) continue;
-            const IrradianceEstimate& truth = judged.truth[k];
+            const LightEstimate& truth = judged.truth[k];
             const double error =
                 std::abs(luminance(Rgb(shown[k] - truth.mean))) - luminance(truth.standard_error);
             if (error > worst.error) worst = {error, judged.points[k], judged.light};
@@ -154,7 +154,7 @@ class Verifier {
         const LightMeasure indirect = measure_of(judged.truth, shown, candidates.shown);
         if (!(indirect.square > 0 && indirect.mean > 0)) return;
         const std::vector<Rgb> direct = direct_at(lamp, judged.points);
-        const std::vector<IrradianceEstimate> truth =
+        const std::vector<LightEstimate> truth =
             with(judged.truth, PathTracer(scene_, visibility_, {lamp})
                                    .straight_from_lamps(judged.points, result_.rays));
         const LightMeasure total =
@@ -193,7 +193,7 @@ class Verifier {
         PathTracing tracing;
         tracing.seed = seed_of(worst_stream);
         const std::vector<SurfacePoint> place{found.point};
-        const IrradianceSurvey fresh =
+        const LightSurvey fresh =
             traced_indirect(scene_, visibility_, found.lamp, place, target, tracing);
         result_.rays += fresh.rays;
         WorstPlace worst;

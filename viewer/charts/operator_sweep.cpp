@@ -172,7 +172,7 @@ std::vector<MeasuredSetting> path_traced(const std::vector<double>& errors, doub
     std::vector<double> noises, seconds;
     for (const JudgedLight& one : judge.lights()) {
         const PathTracer tracer(scene.scene, scene.visibility, {one.light});
-        IrradianceSurvey survey;
+        LightSurvey survey;
         seconds.push_back(seconds_of([&] { survey = tracer.indirect(one.points, few); }) /
                           static_cast<double>(one.points.size()));
         const std::vector<Rgb> dark(one.points.size(), Rgb::Zero());

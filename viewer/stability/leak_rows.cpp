@@ -88,10 +88,10 @@ std::vector<Finding> shadow_leak() {
     target.relative = 2e-3;
     PathTracing how;
     how.samples = 4096;
-    const IrradianceSurvey truth =
+    const LightSurvey truth =
         PathTracer(scene, visibility, lights).indirect_to(target, points, how);
     std::vector<double> wanted;
-    for (const IrradianceEstimate& estimate : truth.at)
+    for (const LightEstimate& estimate : truth.at)
         wanted.push_back(estimate.mean[0]);
     const Lighting lighting = lit.light(lights);
     return {{"wall, one and two leaves from the slab, measured",

@@ -120,11 +120,11 @@ TEST(DenseSolution, AgreesWithThePathTracerWhereThereAreShadows) {
 
     PathTracing how;
     how.samples = 128;
-    const IrradianceSurvey traced =
+    const LightSurvey traced =
         PathTracer(scene, visibility, lights)
             .indirect(sample_surface(scene, all_fronts(scene), 2000, 1), how);
     Rgb traced_mean = Rgb::Zero();
-    for (const IrradianceEstimate& one : traced.at)
+    for (const LightEstimate& one : traced.at)
         traced_mean += one.mean / 2000;
     EXPECT_LT((dense_mean / traced_mean - 1).abs().maxCoeff(), 0.01)
         << dense_mean.transpose() << " and " << traced_mean.transpose();

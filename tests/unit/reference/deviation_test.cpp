@@ -12,7 +12,7 @@ namespace {
 TEST(Deviation, TakesTheNoiseOfTheReferenceOut) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
-    std::vector<IrradianceEstimate> reference;
+    std::vector<LightEstimate> reference;
     std::vector<Rgb> values;
     for (int k = 0; k < 20000; ++k) {
         const double truth = 1 + k % 7;
@@ -28,7 +28,7 @@ TEST(Deviation, TakesTheNoiseOfTheReferenceOut) {
 }
 
 TEST(Deviation, OfExactValuesIsZero) {
-    const std::vector<IrradianceEstimate> reference{{Rgb(1, 2, 3), Rgb::Zero()}};
+    const std::vector<LightEstimate> reference{{Rgb(1, 2, 3), Rgb::Zero()}};
     EXPECT_EQ(deviation_from(reference, {Rgb(1, 2, 3)}).relative_rms, 0);
     const Deviation tenth = deviation_from(reference, {Rgb(1.1, 2.2, 3.3)});
     EXPECT_NEAR(tenth.relative_rms, 0.1, 1e-12);
@@ -38,7 +38,7 @@ TEST(Deviation, OfExactValuesIsZero) {
 }
 
 TEST(Deviation, CountsPointsByTheirWeight) {
-    const IrradianceEstimate one{Rgb::Ones(), Rgb::Zero()};
+    const LightEstimate one{Rgb::Ones(), Rgb::Zero()};
     const std::vector<Rgb> values{Rgb::Constant(1.1), Rgb::Constant(5), Rgb::Constant(0.8)};
     const Deviation found = deviation_from({one, one, one}, values, {3, 0, 1});
     EXPECT_NEAR(found.relative_rms, std::sqrt((3 * 0.01 + 0.04) / 4), 1e-12);
@@ -47,7 +47,7 @@ TEST(Deviation, CountsPointsByTheirWeight) {
 }
 
 TEST(Deviation, FromTheDarkIsNothing) {
-    const std::vector<IrradianceEstimate> dark(3);
+    const std::vector<LightEstimate> dark(3);
     const Deviation none = deviation_from(dark, {Rgb::Ones(), Rgb::Ones(), Rgb::Ones()});
     EXPECT_EQ(none.reference_rms, 0);
     EXPECT_EQ(none.relative_rms, 0);

@@ -102,7 +102,7 @@ TEST_P(OneBounce, IsTheIntegralOverTheOnlyReflectingWall) {
     PathTracing how;
     how.samples = 4096;
     const PathTracer tracer(scene, visibility, {GetParam()});
-    const IrradianceSurvey survey = tracer.indirect(points, how);
+    const LightSurvey survey = tracer.indirect(points, how);
     const ZTest test = z_test(survey.at, exact);
     EXPECT_TRUE(test.passes()) << test.outside << " of " << test.tested << ", " << test.worst;
     EXPECT_LT(test.largest_noise, 0.03);
@@ -141,7 +141,7 @@ TEST(PathTracer, LightStraightFromALampIsExactAndShadowed) {
     const std::vector<SurfacePoint> below{{Vec3(1, 1, 0), Vec3::UnitZ(), floor_z0}};
     {
         const Visibility visibility = visibility_of(scene);
-        const IrradianceEstimate one = PathTracer(scene, visibility, {lamp}).total(below).at[0];
+        const LightEstimate one = PathTracer(scene, visibility, {lamp}).total(below).at[0];
         EXPECT_NEAR(one.mean[0], 100 / 2.25, 1e-9);
         EXPECT_EQ(one.standard_error[0], 0);
     }
@@ -184,7 +184,7 @@ TEST(PathTracer, ZTestRejectsAReferenceThatIsTwoPercentOff) {
     const std::vector<SurfacePoint> points = grid_on(scene, floor_z0, 4);
     PathTracing how;
     how.samples = 16384;
-    const IrradianceSurvey survey = PathTracer(scene, visibility, {lamp}).indirect(points, how);
+    const LightSurvey survey = PathTracer(scene, visibility, {lamp}).indirect(points, how);
     std::vector<Rgb> right, wrong;
     for (const SurfacePoint& point : points) {
         right.push_back(one_bounce(point, scene.quads[x1].quad, rho[x1], lamp, 800));
@@ -206,7 +206,7 @@ TEST(PathTracer, ResultsDoNotDependOnThreads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         return tracer.total(points, how);
     };
-    const IrradianceSurvey one = with_threads(1), two = with_threads(2);
+    const LightSurvey one = with_threads(1), two = with_threads(2);
     EXPECT_EQ(one.rays, two.rays);
     for (std::size_t k = 0; k < points.size(); ++k) {
         EXPECT_TRUE((one.at[k].mean == two.at[k].mean).all());
@@ -220,9 +220,9 @@ TEST(PathTracer, ReachesTheNoiseItIsAskedFor) {
     const PathTracer tracer(scene, visibility, {lamp_at({1.2, 0.8, 2.4})});
     PathTracing how;
     how.samples = 256;
-    const IrradianceSurvey survey = tracer.indirect_to({0.01}, grid_on(scene, floor_z0, 4), how);
+    const LightSurvey survey = tracer.indirect_to({0.01}, grid_on(scene, floor_z0, 4), how);
     int noisy = 0;
-    for (const IrradianceEstimate& one : survey.at)
+    for (const LightEstimate& one : survey.at)
         if (one.standard_error[0] > 0.013 * one.mean[0]) ++noisy;
     EXPECT_LE(noisy, 1);
     EXPECT_GT(survey.rays, survey.paths);

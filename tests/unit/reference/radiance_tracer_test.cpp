@@ -90,7 +90,7 @@ TEST(RadianceTracer, AgreesWithThePathTracerOnDiffuseScenes) {
     const std::vector<Light> lamp{lamp_at({2.2, 0.8, 1.5})};
     const std::vector<SurfacePoint> points = grid_on(scene, floor_z0, 4);
     const PathTracing how = samples(8192);
-    const IrradianceSurvey plain = PathTracer(scene, visibility, lamp).indirect(points, how);
+    const LightSurvey plain = PathTracer(scene, visibility, lamp).indirect(points, how);
     const LightSurvey general =
         RadianceTracer(scene, visibility, lamp).indirect_irradiance(points, how);
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -109,7 +109,7 @@ TEST(Verification, FindsAnErrorOfKnownSize) {
             fine.samples = 1024;
             fine.seed = 99;
             std::vector<Rgb> values;
-            for (const IrradianceEstimate& one :
+            for (const LightEstimate& one :
                  PathTracer(r.scene, r.visibility, {lamp}).indirect(points, fine).at)
                 values.push_back((lamp.position[0] < 1.5 ? 1.1 : 0.95) * one.mean);
             return values;

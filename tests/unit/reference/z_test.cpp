@@ -8,7 +8,7 @@
 
 namespace lightwell {
 
-ZTest z_test(const std::vector<IrradianceEstimate>& estimates, const std::vector<Rgb>& exact,
+ZTest z_test(const std::vector<LightEstimate>& estimates, const std::vector<Rgb>& exact,
              double allowed) {
     LIGHTWELL_CHECK_OP(estimates.size(), ==, exact.size());
     ZTest result;

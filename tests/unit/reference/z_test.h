@@ -17,7 +17,7 @@ struct ZTest {
 };
 
 /// Compares every channel; passes() when at least 99 % lie within `allowed` standard errors.
-ZTest z_test(const std::vector<IrradianceEstimate>& estimates, const std::vector<Rgb>& exact,
+ZTest z_test(const std::vector<LightEstimate>& estimates, const std::vector<Rgb>& exact,
              double allowed = 4);
 
 }  // namespace lightwell

@@ -126,10 +126,10 @@ TEST_P(SampleScenes, ThePathTracerFindsTheExpectedNumbers) {
         sensors.push_back(row.sensor);
     PathTracing how;
     how.samples = 16384;
-    const IrradianceSurvey total = tracer.total(sensors, how);
-    const IrradianceSurvey indirect = tracer.indirect(sensors, how);
+    const LightSurvey total = tracer.total(sensors, how);
+    const LightSurvey indirect = tracer.indirect(sensors, how);
 
-    const auto agrees = [](const IrradianceEstimate& found, double truth, double error) {
+    const auto agrees = [](const LightEstimate& found, double truth, double error) {
         // Noise of the channels counts as wholly correlated, which can only make it larger.
         const double noise = luminance(found.standard_error);
         EXPECT_LE(noise, 0.03 * truth) << "too noisy to say anything";
