@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
+#include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/scene/brdf.h"
 #include "solver/diffuse_operator.h"
 #include "solver/radiance_bounce.h"
@@ -45,14 +47,25 @@ double glossiness(const Ground& ground) {
     return std::min(1.0, glossy / (enough * all));
 }
 
-/// How many times as wide the cells of diffuse sides are as in a diffuse scene, and as those of
-/// glossy sides: light that they get from these is known no better than its directions, and finer
-/// cells show where one direction ends. Light in scenes/glossy is 7.0 % off where cells of the
-/// floor are 0.2 m wide and those of the walls 0.4 m; 7.3 % with 0.2 m everywhere, at three times
-/// as many links; 8.2 % with 0.1 m on the walls; 11.0 % with 0.4 m everywhere; all with 64
-/// directions.
-double wider_cells(const Ground& ground) {
-    return 1 + glossiness(ground);
+AngularResolution angle_at(const PrecomputeOptions& options, const Settings& settings) {
+    AngularResolution angle = angular_resolution(options.error);
+    angle.tolerance = settings.angular_tolerance;
+    return angle;
+}
+
+/// The largest error of a lobe (see AngularReflection) among those that could have finer
+/// directions; 0 where none could.
+double coarsest_lobe(const Ground& ground, const AngularResolution& angle) {
+    std::set<std::size_t> glossy;
+    for (const Element& element : ground.elements)
+        if (is_glossy(ground.scene.material_of(element.quad)))
+            glossy.insert(ground.scene.material_number(element.quad));
+    double coarsest = 0;
+    for (const std::size_t material : glossy) {
+        const AngularReflection lobe(ground.scene.materials[material].lobe, angle);
+        if (lobe.level() < angle.most_levels) coarsest = std::max(coarsest, lobe.error());
+    }
+    return coarsest;
 }
 
 /// Factor of settings after an operator came out `missed` times as wrong as asked.
@@ -70,13 +83,12 @@ RadianceBounceOptions bounce_options(const Ground& ground, const PrecomputeOptio
                                      const Settings& settings) {
     RadianceBounceOptions result;
     result.cell_size = settings.cell_size;
-    if (!options.cell_size) result.finer_gloss = wider_cells(ground);
+    if (!options.cell_size) result.finer_gloss = glossy_looseness(ground);
     result.oracle.partial_tolerance =
         result.oracle.partial_tolerance / result.oracle.tolerance * settings.oracle_tolerance;
     result.oracle.tolerance = settings.oracle_tolerance;
     result.directions.tolerance *= settings.oracle_tolerance / GeometricOracleOptions().tolerance;
-    result.angle = angular_resolution(options.error);
-    result.angle.tolerance = settings.angular_tolerance;
+    result.angle = angle_at(options, settings);
     return result;
 }
 
@@ -88,24 +100,29 @@ double glossy_looseness(const Ground& ground) {
 
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    if (!options.cell_size) settings.cell_size *= wider_cells(ground);
-    if (!options.truncation) settings.truncation *= glossy_looseness(ground);
+    const double looseness = glossy_looseness(ground);
+    if (!options.cell_size) settings.cell_size *= looseness;
+    if (!options.truncation) settings.truncation *= looseness;
     settings.angular_tolerance = angular_resolution(options.error).tolerance;
     return settings;
 }
 
-void tighten_glossy_cells(const PrecomputeOptions& options, double missed, Settings& settings) {
+void tighten_glossy_cells(const Ground& /*ground*/, const PrecomputeOptions& options, double missed,
+                          Settings& settings) {
     tighten_links(options, missed, settings);
     if (!options.cell_size) settings.cell_size *= shrunk_by(missed);
 }
 
-void tighten_glossy(const PrecomputeOptions& options, double missed, Settings& settings) {
+void tighten_glossy(const Ground& ground, const PrecomputeOptions& options, double missed,
+                    Settings& settings) {
     // One level more (errors of lobes fall by 0.45 to 0.8 from one level to the next) makes four
     // times as many functions, which are 1.3 times as good in scenes/glossy, as are finer cells.
-    constexpr double one_is_enough = 1.4;
-    settings.angular_tolerance *= 0.7;
-    if (missed > one_is_enough)
-        tighten_glossy_cells(options, missed, settings);
+    // Lobes about as coarse as the coarsest get it together.
+    constexpr double one_is_enough = 1.4, as_coarse = 0.8;
+    const double coarsest = coarsest_lobe(ground, angle_at(options, settings));
+    if (coarsest > 0) settings.angular_tolerance = as_coarse * coarsest;
+    if (coarsest == 0 || missed > one_is_enough)
+        tighten_glossy_cells(ground, options, missed, settings);
     else
         tighten_links(options, missed, settings);
 }

@@ -11,20 +11,27 @@
 
 namespace lightwell {
 
-/// Truncation of glossy scenes, over that of diffuse ones: it stays above the noise of the points
-/// that told the directions. Between 1 and 2: less where little is glossy.
+/// How many times as wide as in a diffuse scene the cells of diffuse sides are, and as loose the
+/// truncation: 2, less where little is glossy. Glossy sides have cells as in a diffuse scene.
+///
+/// What diffuse sides get from glossy ones is known no better than its directions, and finer cells
+/// show where one direction ends. Light in scenes/glossy is 7.0 % off where cells of the floor are
+/// 0.2 m wide and those of the walls 0.4 m; 7.3 % with 0.2 m everywhere, at three times as many
+/// links; 8.2 % with 0.1 m on the walls; 11.0 % with 0.4 m everywhere; all with 64 directions. So
+/// does truncation stay above the noise of the points that told the directions.
 double glossy_looseness(const Ground& ground);
 
-/// First guesses for scenes with gloss: a looser truncation, and cells that are wider than in
-/// diffuse scenes but on glossy sides. Both hardly where little is glossy.
+/// First guesses for scenes with gloss: as loose as that.
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground);
 
-/// As tighten, for scenes with gloss: directions are cut once more as well, and cells where much is
-/// missing.
-void tighten_glossy(const PrecomputeOptions& options, double missed, Settings& settings);
+/// As tighten, for scenes with gloss: the directions of the coarsest lobes are cut once more as
+/// well; so are cells where much is missing, or no lobe can have finer directions.
+void tighten_glossy(const Ground& ground, const PrecomputeOptions& options, double missed,
+                    Settings& settings);
 
 /// The same with finer cells in place of finer directions, unless their size is set by hand.
-void tighten_glossy_cells(const PrecomputeOptions& options, double missed, Settings& settings);
+void tighten_glossy_cells(const Ground& ground, const PrecomputeOptions& options, double missed,
+                          Settings& settings);
 
 /// Basis functions at given settings.
 double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
@@ -37,8 +44,8 @@ double glossy_memory_for(const Ground& ground, double functions, double truncati
 /// The operators of a scene with glossy surfaces, whose light is carried by direction, for given
 /// settings: elements with angular functions, directed links, the propagation P, and the global
 /// transport operator H = T + T^2 + ..., T = P R (WRT section 4 in full). The oracle is always the
-/// geometric one. Nothing is carried over from an earlier one, whose cells are wider. Otherwise as
-/// diffuse_operator, memory included.
+/// geometric one. Nothing is carried over from an earlier one, whose cells or directions are wider.
+/// Otherwise as diffuse_operator, memory included.
 GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& options,
                                 const Settings& settings, const Progress& progress,
                                 EarlierWork& earlier, OracleCost& cost, StageClock& clock,

@@ -13,6 +13,7 @@
 #include "solver/reference/error_estimate.h"
 #include "solver/settings.h"
 #include "solver/stage_clock.h"
+#include "solver/tightening.h"
 
 namespace lightwell {
 
@@ -70,9 +71,9 @@ using OperatorOf = GlobalTransport (*)(const Ground&, const PrecomputeOptions&, 
 struct Pipeline {
     OperatorOf operator_of;
     Settings (*first_guess)(const PrecomputeOptions&, const Ground&);
-    using Tighten = void (*)(const PrecomputeOptions&, double missed, Settings&);
+    using Way = void (*)(const Ground&, const PrecomputeOptions&, double missed, Settings&);
     /// What makes an operator better: the first, until it is of little use, then the other.
-    Tighten tighten, tighten_else;
+    Way tighten, tighten_else;
     /// Basis functions at given settings, and the memory [bytes] that they take.
     double (*functions)(const Ground&, const PrecomputeOptions&, const Settings&);
     double (*memory)(const Ground&, double functions, double truncation);
@@ -82,6 +83,16 @@ struct Pipeline {
 
 Settings diffuse_settings(const PrecomputeOptions& options, const Ground& ground) {
     return settings_for(options, ground.distance, ground.elements.size());
+}
+
+void tighten_diffuse(const Ground& /*ground*/, const PrecomputeOptions& options, double missed,
+                     Settings& settings) {
+    tighten(options, missed, settings);
+}
+
+void tighten_diffuse_cells(const Ground& /*ground*/, const PrecomputeOptions& options,
+                           double missed, Settings& settings) {
+    tighten_cells(options, missed, settings);
 }
 
 double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const Settings& settings) {
@@ -97,21 +108,11 @@ double no_looseness(const Ground&) {
 }
 
 constexpr Pipeline diffuse_pipeline = {
-    diffuse_operator,  diffuse_settings, tighten,      tighten_cells,
-    diffuse_functions, diffuse_memory,   no_looseness, 8000};
+    diffuse_operator,  diffuse_settings, tighten_diffuse, tighten_diffuse_cells,
+    diffuse_functions, diffuse_memory,   no_looseness,    8000};
 constexpr Pipeline glossy_pipeline = {
     glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy_cells,
     glossy_functions, glossy_memory_for, glossy_looseness, 50000};
-
-/// Memory [bytes] to compute an operator of tighter settings than one that came to so many links.
-double memory_for_links(std::uint64_t links, const Settings& settings, const Settings& tighter) {
-    // Measured: 38 to 71 bytes a link, which multiply as the tolerance to the power of -0.4 to
-    // -0.7, and at most as the cells.
-    constexpr double bytes_a_link = 75, growth = 0.7;
-    return bytes_a_link * static_cast<double>(links) *
-           std::pow(settings.oracle_tolerance / tighter.oracle_tolerance, growth) *
-           std::pow(settings.cell_size / tighter.cell_size, 2);
-}
 
 /// How many times the first errors are as large as the others, both given by their squares, for the
 /// lights that have both: one light differs more from another than operators do.
@@ -215,7 +216,7 @@ Settings first_settings(const Pipeline& pipeline, const PrecomputeOptions& optio
     if (!options.earlier) return settings;
     const double guessed = error_guessed_for(*options.earlier) / pipeline.looseness(ground);
     const double missed = guessed > 0 ? options.earlier->error_estimated / (0.9 * guessed) : 0;
-    if (missed > 1) pipeline.tighten(options, missed, settings);
+    if (missed > 1) pipeline.tighten(ground, options, missed, settings);
     // Finer cells than guessed were found to be needed.
     if (!options.cell_size && options.error <= options.earlier->error_asked)
         settings.cell_size = std::min(settings.cell_size, options.earlier->cell_size);
@@ -237,26 +238,6 @@ std::optional<Settings> preview_settings(const Pipeline& pipeline, const Precomp
     return pipeline.first_guess(asked, ground);
 }
 
-/// What the first of two ways to tighten makes of settings, or, where that changes nothing or does
-/// not fit into memory, the second; none where neither does.
-///
-/// @param links  that the settings came to
-std::optional<Settings> tighter_settings(const Pipeline& pipeline, const PrecomputeOptions& options,
-                                         const Ground& ground, const Settings& settings,
-                                         double missed, std::uint64_t links,
-                                         const std::array<Pipeline::Tighten, 2>& ways) {
-    for (const Pipeline::Tighten tighten : ways) {
-        Settings tighter = settings;
-        tighten(options, missed, tighter);
-        if (tighter == settings) continue;
-        const double functions = pipeline.functions(ground, options, tighter);
-        const double needed = std::max(pipeline.memory(ground, functions, tighter.truncation),
-                                       memory_for_links(links, settings, tighter));
-        if (needed <= static_cast<double>(options.max_memory)) return tighter;
-    }
-    return std::nullopt;
-}
-
 /// 2. to 6., again and again, until an operator is good enough or no other is allowed.
 void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
              const PrecomputeOptions& options, const Progress& progress, PrecomputeReport& report) {
@@ -271,7 +252,12 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
     // was hardly better for either reason by none, which would cost as much as all of them
     // together.
     constexpr double little = 1.15, hardly = 1.05;
-    Pipeline::Tighten tighten = pipeline.tighten, other = pipeline.tighten_else;
+    const auto bound = [&](Pipeline::Way way) {
+        return [&, way](double missed, Settings& to_tighten) {
+            way(ground, options, missed, to_tighten);
+        };
+    };
+    std::array<Tighten, 2> ways = {bound(pipeline.tighten), bound(pipeline.tighten_else)};
     std::vector<double> squares_before;
     bool hardly_before = false;
     for (report.attempts = 1;; ++report.attempts) {
@@ -280,12 +266,18 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
         if (report.attempts > 1) {
             const double better = better_by(squares_before, report.squared_errors);
             if (better < hardly && hardly_before) return;
-            if (better < little) std::swap(tighten, other);
+            if (better < little) std::swap(ways[0], ways[1]);
             hardly_before = hardly_before || better < hardly;
         }
         squares_before = report.squared_errors;
-        const auto tighter = tighter_settings(pipeline, options, ground, settings, missed,
-                                              attempts.last()->provenance.links, {tighten, other});
+        const std::uint64_t links = attempts.last()->provenance.links;
+        const auto memory = [&](const Settings& tighter) {
+            const double functions = pipeline.functions(ground, options, tighter);
+            return std::max(pipeline.memory(ground, functions, tighter.truncation),
+                            memory_for_links(links, settings, tighter));
+        };
+        const auto tighter = tighter_settings(settings, missed, ways, memory,
+                                              static_cast<double>(options.max_memory));
         if (!tighter) return;  // what there is, is better than a failure
         settings = *tighter;
     }

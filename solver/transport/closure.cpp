@@ -132,17 +132,26 @@ class Deficits {
     Density missing_;
 };
 
+/// Exchange areas of the sampled links, in the order of pairs and links.
+std::vector<double> sampled_exchange(const std::vector<PairLinks>& pairs) {
+    std::size_t count = 0;
+    for (const PairLinks& pair : pairs)
+        for (const LinkValue& link : pair.links)
+            count += link.sampled ? 1 : 0;
+    std::vector<double> exchange;
+    exchange.reserve(count);
+    for (const PairLinks& pair : pairs)
+        for (const LinkValue& link : pair.links)
+            if (link.sampled) exchange.push_back(link.exchange);
+    return exchange;
+}
+
 }  // namespace
 
 ClosureReport close_links(const std::vector<Element>& elements, const std::vector<bool>& closed,
                           const ClosureOptions& options, std::vector<PairLinks>& pairs,
                           const Progress& progress) {
-    std::vector<std::vector<double>> sampled_exchange;
-    for (const PairLinks& pair : pairs) {
-        sampled_exchange.emplace_back();
-        for (const LinkValue& link : pair.links)
-            sampled_exchange.back().push_back(link.exchange);
-    }
+    const std::vector<double> sampled = sampled_exchange(pairs);
     const Density exact = link_density(elements, pairs, false);
     ClosureReport report;
     for (;; ++report.sweeps) {
@@ -151,14 +160,13 @@ ClosureReport close_links(const std::vector<Element>& elements, const std::vecto
         if (report.sweeps == 0) report.deficit_before = deficits.rms();
         report.deficit_after = deficits.rms();
         if (report.sweeps == options.sweeps || deficits.largest() <= options.target) return report;
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
-            PairLinks& pair = pairs[p];
-            for (std::size_t k = 0; k < pair.links.size(); ++k) {
-                LinkValue& link = pair.links[k];
+        std::size_t next = 0;
+        for (PairLinks& pair : pairs) {
+            for (LinkValue& link : pair.links) {
                 if (!link.sampled) continue;
                 const double wanted = 0.5 * (deficits.gain(pair.receiver, link.receiver) +
                                              deficits.gain(pair.sender, link.sender));
-                const double original = sampled_exchange[p][k];
+                const double original = sampled[next++];
                 link.exchange =
                     std::clamp(link.exchange * (1 + std::clamp(wanted, -0.5, 0.5)),
                                original / options.most_change, original * options.most_change);

@@ -32,13 +32,21 @@ enum SubDomain : unsigned {
 };
 
 /// A kept link, or one stratum of it, between two diffuse supports of a known pair of elements.
+/// There are up to 10^8 of them: it takes 16 bytes.
 struct LinkValue {
-    std::uint32_t receiver = 0;  ///< CellTree::position of the receiver's spatial cell
-    std::uint32_t sender = 0;    ///< CellTree::position of the sender's spatial cell
-    double exchange = 0;         ///< exchange area with visibility [m2]
-    bool sampled =
-        false;  ///< whether rays decided the visibility, so that the value is an estimate
+    LinkValue(std::uint32_t receiver_cell, std::uint32_t sender_cell, double exchange_area,
+              bool by_rays)
+        : receiver(receiver_cell),
+          sender(sender_cell & 0x7fffffffU),
+          sampled(by_rays),
+          exchange(exchange_area) {}
+
+    std::uint32_t receiver;     ///< CellTree::position of the receiver's spatial cell
+    std::uint32_t sender : 31;  ///< CellTree::position of the sender's spatial cell
+    bool sampled : 1;  ///< whether rays decided the visibility, so that the value is an estimate
+    double exchange;   ///< exchange area with visibility [m2]
 };
+static_assert(sizeof(LinkValue) == 16);
 
 /// The links between two elements, receiver < sender; the operator is symmetric, so each unordered
 /// pair occurs once.

@@ -94,6 +94,11 @@ void PairRefiner::go_on_from(const PairRecord& earlier) {
     revisit(whole(), nullptr, reader);
 }
 
+PairLinks PairRefiner::take_links() {
+    result_.links.shrink_to_fit();
+    return std::move(result_);
+}
+
 PairRecord PairRefiner::take_record() {
     record_.steps.shrink_to_fit();
     record_.verdicts.shrink_to_fit();
@@ -178,12 +183,10 @@ void PairRefiner::keep(const LinkGeometry& geometry, const KeptVerdict& verdict,
             const double exchange = strata.exchange[i][j];
             record_.exchange.push_back(exchange);
             if (!(exchange > 0)) continue;
-            LinkValue value;
-            value.receiver = geometry.receiver->space.tree().position(children.receiver[i]);
-            value.sender = geometry.sender->space.tree().position(children.sender[j]);
-            value.exchange = exchange;
-            value.sampled = strata.sampled;
-            result_.links.push_back(value);
+            result_.links.emplace_back(
+                geometry.receiver->space.tree().position(children.receiver[i]),
+                geometry.sender->space.tree().position(children.sender[j]), exchange,
+                strata.sampled);
         }
     }
 }

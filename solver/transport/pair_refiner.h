@@ -31,7 +31,7 @@ class PairRefiner {
     /// The same from what was decided earlier, at no tighter tolerance.
     void go_on_from(const PairRecord& earlier);
 
-    PairLinks take_links() { return std::move(result_); }
+    PairLinks take_links();
     PairRecord take_record();
 
   private:

@@ -5,39 +5,19 @@
 
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/basis/direction_map.h"
-#include "radiance4d/failure.h"
 #include "radiance4d/operator/light_projection.h"
 #include "radiance4d/operator/operator_file.h"
 #include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/scene_quads.h"
-#include "solver/glossy_operator.h"
 #include "solver/precompute.h"
 #include "solver/radiance_bounce.h"
 #include "solver/reference/radiance_tracer.h"
+#include "tests/energy/glossy_floor.h"
 #include "tests/unit/reference/rooms.h"
 
 namespace lightwell {
 namespace {
-
-Lobe phong(double exponent) {
-    return PhongLobe{Rgb::Constant(0.7), exponent};
-}
-
-Lobe ggx(double roughness) {
-    return GgxLobe{Rgb::Constant(0.7), roughness};
-}
-
-Scene room_with_floor(const Lobe& lobe, double diffuse) {
-    std::array<Rgb, 6> rho;
-    rho.fill(Rgb(0.6, 0.5, 0.4));
-    rho[floor_z0] = Rgb::Constant(diffuse);
-    Scene scene = box_scene({3, 2, 2.5}, rho);
-    for (Material& material : scene.materials)
-        material.reflecting = Sides::front;
-    scene.materials[floor_z0].lobe = lobe;
-    return scene;
-}
 
 GlobalTransport computed(const Scene& scene, double cell_size = 0.7) {
     PrecomputeOptions options;
@@ -84,7 +64,7 @@ RadianceField furnace_emission(const Scene& scene, const RadianceSpace& space) {
 /// Cells so wide that the narrowest lobe takes seconds.
 class AnyLobe : public ::testing::TestWithParam<Lobe> {
   protected:
-    const Scene scene = room_with_floor(GetParam(), 0.2);
+    const Scene scene = box_with_floor(GetParam(), 0.2);
     const GlobalTransport transport = computed(scene, 1.6);
 };
 
@@ -144,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Lobes, AnyLobe,
 class GlossyPipeline : public ::testing::TestWithParam<Lobe> {};
 
 TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
-    const Scene scene = room_with_floor(GetParam(), 0.1);
+    const Scene scene = box_with_floor(GetParam(), 0.1);
     const GlobalTransport transport = computed(scene);
     const std::vector<Quad> quads = quads_of(scene);
     const OccluderTree occluders(quads);
@@ -193,14 +173,14 @@ TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
 TEST(GlossyEstimate, GivesEveryLobeDirections) {
     for (const double error : {0.02, 0.05, 0.3})
         for (const Lobe& lobe : {phong(1), ggx(1)})
-            EXPECT_GE(angular_needs(room_with_floor(lobe, 0.1), error).front().level, 2) << error;
+            EXPECT_GE(angular_needs(box_with_floor(lobe, 0.1), error).front().level, 2) << error;
 }
 
 // As judged runs of scenes/glossy came out, whose floor is this one: 1000 ended at 12.6 % where 20
 // % was asked, 2000 at 20.6 %; 100 at 9.1 % where 10 % was asked, 500 at 16.7 %.
 TEST(GlossyNeeds, NameTheLobesThatTheFinestDirectionsCannotFollow) {
     const auto follows = [](double exponent, double error) {
-        Scene scene = room_with_floor(PhongLobe{Rgb::Constant(0.6), exponent}, 0.1);
+        Scene scene = box_with_floor(PhongLobe{Rgb::Constant(0.6), exponent}, 0.1);
         return angular_needs(scene, error).front().follows;
     };
     EXPECT_TRUE(follows(1000, 0.2));
@@ -213,16 +193,16 @@ TEST(GlossyNeeds, NameTheLobesThatTheFinestDirectionsCannotFollow) {
 // A varnish, however sharp, on what reflects evenly: its share of the light is all that is off.
 TEST(GlossyNeeds, CountTheLobesShareOfTheLight) {
     const Lobe varnish = PhongLobe{Rgb::Constant(0.05), 2000};
-    const AngularNeed alone = angular_needs(room_with_floor(varnish, 0), 0.1).front();
+    const AngularNeed alone = angular_needs(box_with_floor(varnish, 0), 0.1).front();
     EXPECT_FALSE(alone.follows);
     EXPECT_NEAR(alone.finest_error, AngularReflection::at_level(varnish, 5).error(), 1e-12);
-    EXPECT_TRUE(angular_needs(room_with_floor(varnish, 0.75), 0.1).front().follows);
+    EXPECT_TRUE(angular_needs(box_with_floor(varnish, 0.75), 0.1).front().follows);
 }
 
 // What is tried beyond them to see whether it follows is not what the sides get.
 TEST(GlossyNeeds, AreTheLevelsThatSidesGet) {
     for (const double exponent : {5.0, 100.0, 2000.0}) {
-        const AngularNeed need = angular_needs(room_with_floor(phong(exponent), 0.1), 0.1).front();
+        const AngularNeed need = angular_needs(box_with_floor(phong(exponent), 0.1), 0.1).front();
         const AngularReflection given(phong(exponent), angular_resolution(0.1));
         EXPECT_EQ(need.level, given.level()) << exponent;
         EXPECT_NEAR(need.error, given.error(), 1e-12) << exponent;
@@ -244,7 +224,7 @@ RadianceField propagated_uniform(const DirectedBounce& bounce) {
 // The coefficients themselves fill every direction of every cell, not only what is left of them
 // after truncation, which repairs uniform light and would hide where single directions are off.
 TEST(DirectedBounce, FillsEveryDirectionBeforeAnythingIsLeftOut) {
-    const Scene scene = room_with_floor(phong(5), 0.1);
+    const Scene scene = box_with_floor(phong(5), 0.1);
     OracleCost cost;
     const Ground ground(scene, cost);
     RadianceBounceOptions options;
@@ -268,7 +248,7 @@ void expect_equal(const TransportOperator& a, const TransportOperator& b) {
 // Gloss costs a scene without it nothing: what it computes is the same, coefficient by coefficient,
 // with a glossy material at hand that no quad is made of.
 TEST(Gloss, LeavesDiffuseScenesAlone) {
-    Scene scene = room_with_floor(NoLobe{}, 0.3);
+    Scene scene = box_with_floor(NoLobe{}, 0.3);
     const GlobalTransport plain = computed(scene);
     Material varnish = scene.materials.front();
     varnish.name = "varnish";
@@ -284,7 +264,7 @@ TEST(Gloss, LeavesDiffuseScenesAlone) {
 
 // What was reached stands in the operator, be it what was asked for or not.
 TEST(GlossyEstimate, SaysHowFarTheBasisIsOff) {
-    const Scene scene = room_with_floor(phong(20), 0.1);
+    const Scene scene = box_with_floor(phong(20), 0.1);
     PrecomputeOptions options;
     options.error = 0.05;
     options.most_attempts = 1;
@@ -299,134 +279,6 @@ TEST(GlossyEstimate, SaysHowFarTheBasisIsOff) {
     EXPECT_GT(fine, 0.02);
     EXPECT_LT(fine, 0.2);
     EXPECT_GT(coarse, 1.5 * fine);
-}
-
-// Where the first operator misses its error, a tighter one is built.
-TEST(GlossyAttempts, GoOnWhereTheErrorIsMissed) {
-    const Scene scene = room_with_floor(phong(20), 0.1);
-    PrecomputeOptions options;
-    options.error = 0.05;
-    options.cell_size = 1.6;
-    options.most_attempts = 2;
-    PrecomputeReport report;
-    const Provenance reached = precompute(scene, options, {}, report).provenance;
-    EXPECT_EQ(report.attempts, 2);
-    OracleCost cost;
-    const Settings first = glossy_settings(options, Ground(scene, cost));
-    EXPECT_LT(reached.oracle_tolerance, first.oracle_tolerance);
-    EXPECT_LT(reached.truncation, first.truncation);
-    EXPECT_GT(reached.error_estimated, options.error);
-}
-
-// Small glossy things do not make the cells of a room wide and its truncation loose.
-TEST(GlossyAttempts, StartByHowMuchIsGlossy) {
-    PrecomputeOptions options;
-    const auto looser = [&options](const Scene& scene) {
-        OracleCost cost;
-        const Ground ground(scene, cost);
-        const Settings glossy = glossy_settings(options, ground);
-        const Settings diffuse = settings_for(options, ground.distance, ground.elements.size());
-        EXPECT_DOUBLE_EQ(glossy.truncation / diffuse.truncation,
-                         glossy.cell_size / diffuse.cell_size);
-        return glossy.truncation / diffuse.truncation;
-    };
-    EXPECT_DOUBLE_EQ(looser(room_with_floor(phong(5), 0.1)), 2);
-    Scene room = room_with_floor(Lobe(NoLobe{}), 0.1);
-    EXPECT_DOUBLE_EQ(looser(room), 1);
-    add_block(room, {2, 1, 1}, {2.2, 1.2, 1.2}, Rgb::Constant(0.3));
-    room.materials.back().lobe = phong(5);
-    EXPECT_GT(looser(room), 1);
-    EXPECT_LT(looser(room), 1.3);
-}
-
-TEST(GlossyAttempts, CutDirectionsAndWhereMuchIsMissingCells) {
-    PrecomputeOptions options;
-    const Settings before{0.4, 1e-4, 0.06, 0.6};
-    for (const double missed : {1.2, 3.0}) {
-        Settings settings = before;
-        tighten_glossy(options, missed, settings);
-        EXPECT_LT(settings.angular_tolerance, before.angular_tolerance);
-        EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
-        EXPECT_LT(settings.truncation, before.truncation);
-        EXPECT_EQ(settings.cell_size, missed > 2 ? 0.2 : 0.4);
-        settings = before;
-        tighten_glossy_cells(options, missed, settings);
-        EXPECT_EQ(settings.angular_tolerance, before.angular_tolerance);
-        EXPECT_LT(settings.oracle_tolerance, before.oracle_tolerance);
-        EXPECT_LT(settings.cell_size, before.cell_size);
-    }
-    options.cell_size = 0.4;
-    options.truncation = 0.06;
-    options.oracle_tolerance = 1e-4;
-    Settings settings = before;
-    tighten_glossy(options, 3, settings);
-    EXPECT_EQ(settings.cell_size, before.cell_size);
-    EXPECT_EQ(settings.truncation, before.truncation);
-    EXPECT_EQ(settings.oracle_tolerance, before.oracle_tolerance);
-    EXPECT_LT(settings.angular_tolerance, before.angular_tolerance);
-    settings = before;
-    tighten_glossy_cells(options, 3, settings);
-    EXPECT_EQ(settings, before);
-}
-
-// Walls show what a floor reflects no better than its directions are known.
-TEST(GlossyAttempts, GlossySidesHaveTheFinerCells) {
-    const Scene scene = room_with_floor(phong(20), 0.1);
-    PrecomputeOptions options;
-    options.error = 0.2;
-    options.most_attempts = 0;
-    PrecomputeReport report;
-    const auto cells_by_gloss = [&] {
-        std::array<std::uint32_t, 2> cells{};
-        const GlobalTransport made = precompute(scene, options, {}, report);
-        for (const Element& element : made.space.elements()) {
-            const bool glossy = element.angle.levels() > 0;
-            // The floor is as large as the ceiling.
-            if (std::abs(element.geometry.normal()[2]) > 0.5)
-                cells[glossy ? 1 : 0] = element.space.tree().functions();
-        }
-        return cells;
-    };
-    const auto [ceiling, floor] = cells_by_gloss();
-    EXPECT_GT(ceiling, 0U);
-    EXPECT_EQ(floor, 4 * ceiling);
-    options.cell_size = 0.5;  // set by hand: the same everywhere
-    const auto [ceiling_by_hand, floor_by_hand] = cells_by_gloss();
-    EXPECT_EQ(floor_by_hand, ceiling_by_hand);
-}
-
-// What a tighter one would take is known before it is built.
-TEST(GlossyAttempts, EndWhereMemoryDoes) {
-    const Scene scene = room_with_floor(phong(5), 0.1);
-    PrecomputeOptions options;
-    options.error = 0.03;
-    OracleCost cost;
-    const Ground ground(scene, cost);
-    const Settings first = glossy_settings(options, ground);
-    const double functions = glossy_functions(ground, options, first);
-    options.max_memory = static_cast<std::uint64_t>(1.01 * glossy_memory_for(ground, functions, 1));
-    PrecomputeReport report;
-    const GlobalTransport reached = precompute(scene, options, {}, report);
-    EXPECT_EQ(report.attempts, 1);
-    EXPECT_GT(reached.provenance.error_bound, options.error);
-    EXPECT_EQ(reached.space.functions(), functions);
-    EXPECT_EQ(reached.provenance.cell_size, first.cell_size);
-}
-
-// What does not fit is said before anything is computed; the directions count.
-TEST(GlossyAttempts, RefuseWhatMemoryDoesNotAllow) {
-    const Scene scene = room_with_floor(phong(20), 0.1);
-    PrecomputeOptions options;
-    options.cell_size = 0.8;
-    options.most_attempts = 0;
-    OracleCost cost;
-    const Ground ground(scene, cost);
-    const double functions = glossy_functions(ground, options, glossy_settings(options, ground));
-    PrecomputeReport report, refused;
-    EXPECT_EQ(precompute(scene, options, {}, report).space.functions(), functions);
-    options.max_memory = static_cast<std::uint64_t>(0.9 * glossy_memory_for(ground, functions, 1));
-    EXPECT_THROW(precompute(scene, options, {}, refused), InputError);
-    EXPECT_EQ(refused.links_judged, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lobes, GlossyPipeline,
