@@ -22,9 +22,9 @@ std::optional<Settings> tighter_settings(const Settings& settings, double missed
 }
 
 double memory_for_links(std::uint64_t links, const Settings& settings, const Settings& tighter) {
-    // Measured: 38 to 71 bytes a link, which multiply as the tolerance to the power of -0.4 to
-    // -0.7, and at most as the cells.
-    constexpr double bytes_a_link = 75, growth = 0.7;
+    // Measured: 40 to 51 bytes a link where there are many (boxes, an office, a maze), which
+    // multiply as the tolerance to the power of -0.4 to -0.7, and at most as the cells.
+    constexpr double bytes_a_link = 55, growth = 0.7;
     return bytes_a_link * static_cast<double>(links) *
            std::pow(settings.oracle_tolerance / tighter.oracle_tolerance, growth) *
            std::pow(settings.cell_size / tighter.cell_size, 2);

@@ -77,6 +77,7 @@ std::vector<Coefficient> pair_block(const RadianceSpace& space, PairLinks pair) 
                                     return std::abs(static_cast<double>(c.value)) <= smallest;
                                 }),
                  result.end());
+    result.shrink_to_fit();  // all blocks are held at once
     return result;
 }
 
