@@ -37,8 +37,8 @@ void tighten_glossy_cells(const Ground& ground, const PrecomputeOptions& options
 double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
                         const Settings& settings);
 
-/// Memory [bytes] that so many functions take to compute, about: they are tried on all lights that
-/// are expected, side by side; without truncation their operators are dense.
+/// Memory [bytes] that so many functions take to compute, about: they are tried on lights that are
+/// expected, some side by side; without truncation their operators are dense.
 double glossy_memory_for(const Ground& ground, double functions, double truncation);
 
 /// The operators of a scene with glossy surfaces, whose light is carried by direction, for given

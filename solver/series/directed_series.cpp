@@ -94,38 +94,46 @@ TrialLights solved_directed(const SymmetricOperator& propagation, const Reflecti
     return solved;
 }
 
-DirectedWeights directed_weights(const SymmetricOperator& propagation, const RadianceSpace& space,
-                                 const Reflection& reflection, const TrialLights& lights,
-                                 const Progress& progress) {
-    const auto n = static_cast<Eigen::Index>(space.functions());
-    DirectedWeights weights{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
-    constexpr double rough = 0.02;
+DirectedEnsemble::DirectedEnsemble(const SymmetricOperator& propagation, const RadianceSpace& space,
+                                   const Reflection& reflection)
+    : propagation_(propagation),
+      space_(space),
+      reflection_(reflection),
+      direct_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(space.functions()))),
+      outgoing_(direct_) {}
+
+void DirectedEnsemble::add(const TrialLights& lights, const Progress& progress) {
+    constexpr double rough = 0.02, least_share = 0.25;
     const TrialLights indirect =
-        solved_directed(propagation, reflection, grey(), lights, rough, progress);
+        solved_directed(propagation_, reflection_, grey(), lights, rough, progress);
     double squares = 0, count = 0;
-    for (const LightBlock& block : indirect)
+    for (const LightBlock& block : indirect) {
         for (Eigen::Index lane = 0; lane < block.cols(); ++lane) {
             const double square = block.col(lane).square().sum();
             squares += square;
             count += square > 0 ? 1 : 0;
         }
-    if (!(squares > 0)) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
-    // A light that almost nothing reflects must not count for more than the others.
-    const double least = 0.25 * squares / count;
+    }
+    if (!(squares > 0)) return;
+    const double least = least_share * squares / count;
     for (std::size_t b = 0; b < lights.size(); ++b) {
         LightBlock outgoing = indirect[b];
-        reflection.reflect(grey(), lights[b] + indirect[b], outgoing);
+        reflection_.reflect(grey(), lights[b] + indirect[b], outgoing);
         for (Eigen::Index lane = 0; lane < lights[b].cols(); ++lane) {
-            const double scale =
-                1 / (std::max(indirect[b].col(lane).square().sum(), least) * count);
-            weights.direct += scale * lights[b].col(lane).square();
-            weights.outgoing += scale * outgoing.col(lane).square();
+            const double scale = 1 / std::max(indirect[b].col(lane).square().sum(), least);
+            direct_ += scale * lights[b].col(lane).square();
+            outgoing_ += scale * outgoing.col(lane).square();
         }
     }
-    weights.direct = weights.direct.sqrt();
-    weights.outgoing = weights.outgoing.sqrt();
-    raise_to_floor(space, weights.direct);
-    raise_to_floor(space, weights.outgoing);
+    lights_ += count;
+}
+
+DirectedWeights DirectedEnsemble::weights() const {
+    const Eigen::Index n = direct_.size();
+    if (!(lights_ > 0)) return {Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n)};
+    DirectedWeights weights{(direct_ / lights_).sqrt(), (outgoing_ / lights_).sqrt()};
+    raise_to_floor(space_, weights.direct);
+    raise_to_floor(space_, weights.outgoing);
     return weights;
 }
 

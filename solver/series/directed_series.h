@@ -24,11 +24,28 @@ TrialLights solved_directed(const SymmetricOperator& propagation, const Reflecti
                             const Rgb& shares, const TrialLights& direct, double tolerance,
                             const Progress& progress);
 
-/// Weights from lights and the propagation. They steer truncation and nothing else, so that a
-/// propagation without its smallest coefficients serves as well.
-DirectedWeights directed_weights(const SymmetricOperator& propagation, const RadianceSpace& space,
-                                 const Reflection& reflection, const TrialLights& lights,
-                                 const Progress& progress);
+/// Weights from lights, a few at a time, and the propagation. They steer truncation and nothing
+/// else, so that a propagation without its smallest coefficients serves as well. Keeps references.
+class DirectedEnsemble {
+  public:
+    DirectedEnsemble(const SymmetricOperator& propagation, const RadianceSpace& space,
+                     const Reflection& reflection);
+
+    /// Further lights, enough to tell how bright indirect light is on the mean: one that almost
+    /// nothing reflects is scaled as if a quarter of that were reflected.
+    /// @throws Interrupted if the progress says so
+    void add(const TrialLights& lights, const Progress& progress);
+
+    /// Ones where nothing reflects any of the lights.
+    DirectedWeights weights() const;
+
+  private:
+    const SymmetricOperator& propagation_;
+    const RadianceSpace& space_;
+    const Reflection& reflection_;
+    Eigen::ArrayXd direct_, outgoing_;  ///< sums of squares over the lights
+    double lights_ = 0;                 ///< that anything reflects
+};
 
 /// P with as few coefficients as the target allows. Changes of light count as they are seen: by
 /// Reflection::visibility.

@@ -1,4 +1,4 @@
-// The series of scenes with gloss keeps the means of the largest elements.
+// The series of scenes with gloss: what steers its truncation, and what is never left out.
 #include "solver/series/directed_series.h"
 
 #include <algorithm>
@@ -43,30 +43,61 @@ bool holds(const TransportOperator& indirect, std::uint32_t row, std::uint32_t c
     return std::find(begin, end, row) != end;
 }
 
-// However much is left out: of more than 400 elements, the means of the 400 largest stay.
-TEST(DirectedSeries, KeepsTheMeansOfTheLargestElements) {
+class DirectedSeries : public ::testing::Test {
+  protected:
+    DirectedSeries() {
+        RadianceBounceOptions options;
+        options.cell_size = 4;
+        RadianceBounce bounce = radiance_bounce(ground, options);
+        transport.scene = scene;
+        transport.space = std::move(bounce.space);
+        transport.bounce = std::move(bounce.propagation);
+        transport.reflection = Reflection(transport.scene, transport.space);
+    }
+
+    Eigen::ArrayXd light_at(const Vec3& position) const {
+        return projected_lights(transport.space, {lamp_at(position)}, ground.quads,
+                                ground.occluders)
+            .col(1);
+    }
+    DirectedWeights weights_of(const std::vector<TrialLights>& groups) const {
+        DirectedEnsemble ensemble(transport.bounce, transport.space, transport.reflection);
+        for (const TrialLights& lights : groups)
+            ensemble.add(lights, {});
+        return ensemble.weights();
+    }
+
     const Scene scene = room_with_plates();
     OracleCost cost;
-    const Ground ground(scene, cost);
-    RadianceBounceOptions options;
-    options.cell_size = 4;
-    RadianceBounce bounce = radiance_bounce(ground, options);
+    const Ground ground{scene, cost};
     GlobalTransport transport;
-    transport.scene = scene;
-    transport.space = std::move(bounce.space);
-    transport.bounce = std::move(bounce.propagation);
-    transport.reflection = Reflection(transport.scene, transport.space);
-    ASSERT_EQ(transport.space.elements().size(), std::size_t{6 + plates});
+};
 
-    const TrialLights lights = trial_lights(
-        {projected_lights(transport.space, {lamp_at({1, 1, 1})}, ground.quads, ground.occluders)
-             .col(1),
-         projected_lights(transport.space, {lamp_at({2, 2, 1.5})}, ground.quads, ground.occluders)
-             .col(1)});
-    const DirectedWeights weights =
-        directed_weights(transport.bounce, transport.space, transport.reflection, lights, {});
+double difference(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
+    return (a - b).matrix().norm() / b.matrix().norm();
+}
+
+// Lights may come in groups: but for the iteration's tolerance nothing changes.
+TEST_F(DirectedSeries, WeighsLightsOneByOneAsTogether) {
+    const Eigen::ArrayXd one = light_at({1, 1, 1}), other = light_at({2, 2, 1.5});
+    const DirectedWeights together = weights_of({trial_lights({one, other})});
+    const DirectedWeights apart = weights_of({trial_lights({one}), trial_lights({other})});
+    const DirectedWeights alone = weights_of({trial_lights({one})});
+    EXPECT_LT(difference(apart.direct, together.direct), 0.02);
+    EXPECT_LT(difference(apart.outgoing, together.outgoing), 0.02);
+    EXPECT_GT(difference(alone.direct, together.direct), 0.1);
+    // A light that nothing reflects counts for nothing.
+    const TrialLights dark = trial_lights({Eigen::ArrayXd::Zero(one.size())});
+    EXPECT_EQ(difference(weights_of({dark, trial_lights({one})}).direct, alone.direct), 0);
+    EXPECT_TRUE((weights_of({dark}).direct == 1).all());
+}
+
+// However much is left out: of more than 400 elements, the means of the 400 largest stay.
+TEST_F(DirectedSeries, KeepsTheMeansOfTheLargestElements) {
+    ASSERT_EQ(transport.space.elements().size(), std::size_t{6 + plates});
+    const TrialLights lights = trial_lights({light_at({1, 1, 1}), light_at({2, 2, 1.5})});
     constexpr double nearly_all = 0.5;
-    sum_directed_series(weights, lights, nearly_all, {}, transport);
+    sum_directed_series(weights_of({lights}), lights, nearly_all, {}, transport);
 
     const std::uint32_t floor =
         transport.space
