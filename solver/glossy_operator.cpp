@@ -128,8 +128,10 @@ Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground)
 
 void tighten_glossy_cells(const Ground& /*ground*/, const PrecomputeOptions& options, double missed,
                           Settings& settings) {
+    // Cells are halved: with hardly smaller ones next to none would change.
+    constexpr double change_at_least = 0.7;
     tighten_links(options, missed, settings);
-    if (!options.cell_size) settings.cell_size *= shrunk_by(missed);
+    if (!options.cell_size) settings.cell_size *= std::min(shrunk_by(missed), change_at_least);
 }
 
 void tighten_glossy(const Ground& ground, const PrecomputeOptions& options, double missed,
@@ -152,11 +154,11 @@ double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
 }
 
 double glossy_memory_for(const Ground& ground, double functions, double truncation) {
-    // Measured are 3.8 to 5.3 kB a function with 48 lights at once.
-    constexpr double bytes_apart = 4500, bytes_a_light = 25, bytes_a_pair = 120;
+    // Measured are 2.3 to 5.3 kB a function among ten elements, with 48 lights at once, and 7 to 11
+    // kB among 2888: every function has coefficients with each of those that it sees.
+    constexpr double bytes_apart = 5700, bytes_an_element = 2.5, bytes_a_pair = 120;
     const double bytes_a_function =
-        bytes_apart +
-        bytes_a_light * static_cast<double>(std::min(ground.expected.size(), lights_at_once));
+        bytes_apart + bytes_an_element * static_cast<double>(ground.elements.size());
     return bytes_a_function * functions +
            (truncation == 0 ? bytes_a_pair * functions * functions : 0);
 }
