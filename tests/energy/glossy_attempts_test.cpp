@@ -118,7 +118,7 @@ class Tightened : public ::testing::Test {
     Settings by_directions(double missed) const { return by(tighten_glossy, missed); }
     Settings by_cells(double missed) const { return by(tighten_glossy_cells, missed); }
     double functions(const Settings& settings) const {
-        return glossy_functions(ground, options, settings);
+        return glossy_functions(ground_, options, settings);
     }
 
     PrecomputeOptions options;
@@ -127,13 +127,13 @@ class Tightened : public ::testing::Test {
   private:
     Settings by(decltype(tighten_glossy)* way, double missed) const {
         Settings settings = before;
-        way(ground, options, missed, settings);
+        way(ground_, options, missed, settings);
         return settings;
     }
 
-    const Scene scene = box_with_floor(phong(20), 0.1);
-    OracleCost cost;
-    const Ground ground{scene, cost};
+    const Scene scene_ = box_with_floor(phong(20), 0.1);
+    OracleCost cost_;
+    const Ground ground_{scene_, cost_};
 };
 
 TEST_F(Tightened, CutsDirectionsAndWhereMuchIsMissingCells) {
