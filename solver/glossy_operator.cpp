@@ -20,14 +20,20 @@ namespace {
 constexpr std::size_t lights_at_once = 48;
 
 /// Direct light of white unit lamps.
-TrialLights projected(const RadianceSpace& space, const Ground& ground,
-                      const std::vector<Vec3>& positions, const Progress& progress) {
+std::vector<DirectedLights> projected(const RadianceSpace& space, const Ground& ground,
+                                      const std::vector<Vec3>& positions,
+                                      const Progress& progress) {
+    constexpr std::size_t lanes = Reflection::Fields::ColsAtCompileTime;
+    std::vector<DirectedLights> lights;
     std::vector<Eigen::ArrayXd> fields;
-    for (const Vec3& position : positions) {
+    for (std::size_t k = 0; k < positions.size(); ++k) {
         progress.check();
-        fields.push_back(white_light(space, position, ground.quads, ground.occluders));
+        fields.push_back(white_light(space, positions[k], ground.quads, ground.occluders));
+        if (fields.size() < lanes && k + 1 < positions.size()) continue;
+        lights.push_back(DirectedLights::of(fields));
+        fields.clear();
     }
-    return trial_lights(fields);
+    return lights;
 }
 
 /// How much functions carry for the lights that are expected, in groups of about one size.
@@ -192,7 +198,8 @@ GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& o
                                 Eigen::ArrayXd::Ones(n));
     const SymmetricOperator rough = truncation.at(truncation.threshold_for(rough_share * size));
     clock.lap("operator");
-    const TrialLights tried = projected(transport.space, ground, ground.tried, progress);
+    const std::vector<DirectedLights> tried =
+        projected(transport.space, ground, ground.tried, progress);
     const DirectedWeights weights =
         expected_weights(rough, transport.space, transport.reflection, ground, progress);
     clock.lap("ensemble");

@@ -29,7 +29,7 @@ Reflection::Reflection(const Scene& scene, const RadianceSpace& space)
                 known.try_emplace({material, level}, static_cast<int>(lobes_.size()));
             if (is_new) {
                 lobes_.push_back(AngularReflection::at_level(what.lobe, level));
-                entries_.push_back(entries_of(lobes_.back().matrix()));
+                responses_.emplace_back(lobes_.back().matrix().transpose().cast<float>());
             }
             made.diffuse = what.reflectance;
             made.specular = lobe_reflectance(what.lobe);
@@ -63,26 +63,6 @@ RadianceField Reflection::outgoing(const RadianceField& incident) const {
     return result;
 }
 
-Reflection::Entries Reflection::entries_of(const RowMatrix& lobe) {
-    constexpr double left_out = 1e-5;
-    std::vector<double> squares(lobe.data(), lobe.data() + lobe.size());
-    for (double& one : squares)
-        one *= one;
-    std::sort(squares.begin(), squares.end());
-    double budget = left_out * left_out * lobe.squaredNorm(), least = 0;
-    for (const double square : squares) {
-        budget -= square;
-        if (budget < 0) break;
-        least = square;
-    }
-    Entries entries(static_cast<std::size_t>(lobe.cols()));
-    for (Eigen::Index from = 0; from < lobe.cols(); ++from)
-        for (Eigen::Index to = 0; to < lobe.rows(); ++to)
-            if (lobe(from, to) * lobe(from, to) > least)
-                entries[static_cast<std::size_t>(from)].push_back({to, lobe(from, to)});
-    return entries;
-}
-
 RowMatrix Reflection::between_angles(const OfElement& element, const Rgb& shares) const {
     RowMatrix result = RowMatrix::Zero(element.angles, element.angles);
     if (element.lobe < 0)
@@ -94,33 +74,46 @@ RowMatrix Reflection::between_angles(const OfElement& element, const Rgb& shares
     return result;
 }
 
-void Reflection::reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
-                         Eigen::Ref<Fields> outgoing) const {
-    LIGHTWELL_CHECK_OP(incident.rows(), ==, static_cast<Eigen::Index>(functions_));
-    const Eigen::Index lanes = incident.cols();
+void Reflection::reflect(const Rgb& shares, const Functions& from, const Fields& incident,
+                         const Functions& to, Fields& outgoing) const {
+    LIGHTWELL_CHECK_OP(incident.rows(), ==, static_cast<Eigen::Index>(from.size()));
+    outgoing.resize(static_cast<Eigen::Index>(to.size()), Fields::ColsAtCompileTime);
+    const auto in_row = [&](std::size_t k) { return incident.row(static_cast<Eigen::Index>(k)); };
+    std::size_t in = 0, out = 0;  // the next of `from` and `to`
+    std::vector<std::uint32_t> angles;
     for (const OfElement& element : of_element_) {
-        const Eigen::Index count = element.cells * element.angles;
-        if (element.lobe < 0) {
-            outgoing.middleRows(element.first, count) =
-                (shares * element.diffuse).sum() * incident.middleRows(element.first, count);
-            continue;
-        }
-        const Entries& entries = entries_[static_cast<std::size_t>(element.lobe)];
-        const double specular = (shares * element.specular).sum();
-        outgoing.middleRows(element.first, count).setZero();
-        for (Eigen::Index j = 0; j < count; ++j) {
-            // Most functions of fine directions hold no light.
-            const double* in = incident.row(element.first + j).data();
-            if (std::all_of(in, in + lanes, [](double one) { return one == 0; })) continue;
-            const Eigen::Index first = element.first + j - j % element.angles;
-            for (const Entry& entry : entries[static_cast<std::size_t>(j % element.angles)]) {
-                double* out = outgoing.row(first + entry.to).data();
-                for (Eigen::Index lane = 0; lane < lanes; ++lane)
-                    out[lane] += specular * entry.value * in[lane];
+        const auto diffuse = static_cast<float>((shares * element.diffuse).sum());
+        const auto specular = static_cast<float>((shares * element.specular).sum());
+        const auto directions = static_cast<std::uint32_t>(element.angles);
+        const auto end = static_cast<std::uint32_t>(element.first + element.cells * element.angles);
+        // Light stays in its spatial function: the functions of which, one for each of the
+        // directions, follow each other.
+        while (out < to.size() && to[out] < end) {
+            const std::uint32_t first =
+                to[out] - (to[out] - static_cast<std::uint32_t>(element.first)) % directions;
+            while (in < from.size() && from[in] < first)
+                ++in;
+            const std::size_t first_in = in;
+            angles.clear();
+            for (; in < from.size() && from[in] < first + directions; ++in)
+                angles.push_back(from[in] - first);
+            const bool has_mean = !angles.empty() && angles.front() == 0;
+            for (; out < to.size() && to[out] < first + directions; ++out) {
+                const std::uint32_t leaving = to[out] - first;
+                Eigen::Array<float, 1, Fields::ColsAtCompileTime> sum;
+                sum.setZero();
+                if (element.lobe >= 0) {
+                    const float* response = responses_[static_cast<std::size_t>(element.lobe)]
+                                                .row(static_cast<Eigen::Index>(leaving))
+                                                .data();
+                    for (std::size_t k = 0; k < angles.size(); ++k)
+                        sum += response[angles[k]] * in_row(first_in + k);
+                    sum *= specular;
+                }
+                if (leaving == 0 && has_mean) sum += diffuse * in_row(first_in);
+                outgoing.row(static_cast<Eigen::Index>(out)) = sum;
             }
         }
-        for (Eigen::Index j = element.first; j < element.first + count; j += element.angles)
-            outgoing.row(j) += (shares * element.diffuse).sum() * incident.row(j);
     }
 }
 

@@ -24,15 +24,21 @@ class Reflection {
     /// Computes the representation of each lobe once per angular level that it is used at.
     Reflection(const Scene& scene, const RadianceSpace& space);
 
-    /// Fields of one channel side by side: one row per basis function.
-    using Fields = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    /// Eight fields of one channel side by side: one row per basis function of a list.
+    using Fields = Eigen::Array<float, Eigen::Dynamic, 8, Eigen::RowMajor>;
+    /// Basis functions, ascending.
+    using Functions = std::vector<std::uint32_t>;
 
     /// R x: outgoing radiance, in the same basis, per channel.
     RadianceField outgoing(const RadianceField& incident) const;
-    /// R x for fields of one channel that mixes red, green and blue by shares that add up to one:
-    /// without what of a lobe is less than 1e-5 of its norm, and most of a sharp one is.
-    void reflect(const Rgb& shares, Eigen::Ref<const Fields> incident,
-                 Eigen::Ref<Fields> outgoing) const;
+    /// R x between some functions: what becomes, in the functions `to`, of light in the functions
+    /// `from`. For fields of one channel that mixes red, green and blue by shares that add up to
+    /// one.
+    ///
+    /// @param incident  a row for each function of `from`
+    /// @param outgoing  is made to have a row for each function of `to`; not `incident` itself
+    void reflect(const Rgb& shares, const Functions& from, const Fields& incident,
+                 const Functions& to, Fields& outgoing) const;
     /// R of such a channel as a matrix, without the coefficients below `smallest`.
     Eigen::SparseMatrix<double> matrix(const Rgb& shares, double smallest) const;
     /// By basis function: norm of what becomes of it, relative to that of the angular mean, at most
@@ -52,18 +58,12 @@ class Reflection {
     /// R between the angular functions of an element, for one channel.
     RowMatrix between_angles(const OfElement& element, const Rgb& shares) const;
 
-    /// A coefficient of a lobe: what leaves by function `to`.
-    struct Entry {
-        Eigen::Index to = 0;
-        double value = 0;
-    };
-    /// The coefficients of a lobe that matter, by incident function.
-    using Entries = std::vector<std::vector<Entry>>;
-    static Entries entries_of(const RowMatrix& lobe);
+    /// A lobe in single precision, by where light leaves, then by where it arrives.
+    using Response = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
     std::uint32_t functions_ = 0;
     std::vector<AngularReflection> lobes_;
-    std::vector<Entries> entries_;  ///< of each lobe
+    std::vector<Response> responses_;  ///< of each lobe
     std::vector<OfElement> of_element_;
 };
 

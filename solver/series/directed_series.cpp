@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
 #include "solver/series/neumann_series.h"
+#include "solver/series/trial_lights.h"
 #include "solver/series/truncation.h"
 
 namespace lightwell {
@@ -25,11 +26,38 @@ Rgb grey() {
     return Rgb::Constant(1.0 / 3);
 }
 
+using Fields = DirectedSolver::Fields;
+
 /// Light as it is seen.
-TrialLights seen(TrialLights lights, const Eigen::ArrayXd& visibility) {
-    for (LightBlock& block : lights)
-        block.colwise() *= visibility;
+std::vector<Fields> seen(std::vector<Fields> lights, const DirectedSolver& solver,
+                         const Eigen::ArrayXd& visibility) {
+    const Reflection::Functions& functions = solver.functions();
+    for (Fields& block : lights)
+        for (std::size_t k = 0; k < functions.size(); ++k)
+            block.row(static_cast<Eigen::Index>(k)) *= static_cast<float>(visibility[functions[k]]);
     return lights;
+}
+
+/// E + X, where either has light.
+DirectedLights sum_of(const DirectedLights& direct, const Reflection::Functions& functions,
+                      const Fields& indirect) {
+    DirectedLights sum;
+    std::set_union(direct.functions.begin(), direct.functions.end(), functions.begin(),
+                   functions.end(), std::back_inserter(sum.functions));
+    sum.values =
+        Fields::Zero(static_cast<Eigen::Index>(sum.functions.size()), Fields::ColsAtCompileTime);
+    const auto add = [&sum](const Reflection::Functions& of, const Fields& values) {
+        std::size_t at = 0;
+        for (std::size_t k = 0; k < of.size(); ++k) {
+            while (sum.functions[at] < of[k])
+                ++at;
+            sum.values.row(static_cast<Eigen::Index>(at)) +=
+                values.row(static_cast<Eigen::Index>(k));
+        }
+    };
+    add(direct.functions, direct.values);
+    add(functions, indirect);
+    return sum;
 }
 
 /// No function is expected to stay dark: a light may come to stand where none of the ensemble did.
@@ -58,6 +86,10 @@ void raise_to_floor(const RadianceSpace& space, Eigen::ArrayXd& weight) {
     }
 }
 
+double squares_of(const Fields& block, Eigen::Index lane) {
+    return block.col(lane).cast<double>().square().sum();
+}
+
 std::vector<double> magnitudes_of(const Eigen::SparseMatrix<double>& matrix,
                                   const TruncationRule& rule) {
     std::vector<double> magnitudes;
@@ -70,60 +102,48 @@ std::vector<double> magnitudes_of(const Eigen::SparseMatrix<double>& matrix,
 
 }  // namespace
 
-TrialLights solved_directed(const SymmetricOperator& propagation, const Reflection& reflection,
-                            const Rgb& shares, const TrialLights& direct, double tolerance,
-                            const Progress& progress) {
-    constexpr int most_steps = 400;
-    TrialLights solved(direct.size());
-    tbb::parallel_for(std::size_t{0}, direct.size(), [&](std::size_t b) {
-        LightBlock& x = solved[b];
-        x = LightBlock::Zero(direct[b].rows(), direct[b].cols());
-        // Blocks over many directions are large: getting them anew in every step took a fifth of
-        // the time, to have their memory cleared.
-        LightBlock incident = x, outgoing = x, next;
-        for (int step = 0; step < most_steps; ++step) {
-            progress.check();
-            incident = direct[b] + x;
-            reflection.reflect(shares, incident, outgoing);
-            propagate(propagation, outgoing, next);
-            const double change = (next - x).matrix().norm();
-            std::swap(x, next);
-            if (change <= tolerance * x.matrix().norm()) break;
-        }
-    });
-    return solved;
-}
-
 DirectedEnsemble::DirectedEnsemble(const SymmetricOperator& propagation, const RadianceSpace& space,
                                    const Reflection& reflection)
     : propagation_(propagation),
       space_(space),
       reflection_(reflection),
+      solver_(propagation, reflection, grey()),
+      all_(space.functions()),
       direct_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(space.functions()))),
-      outgoing_(direct_) {}
+      outgoing_(direct_) {
+    std::iota(all_.begin(), all_.end(), 0U);
+}
 
-void DirectedEnsemble::add(const TrialLights& lights, const Progress& progress) {
+void DirectedEnsemble::add(const std::vector<DirectedLights>& lights, const Progress& progress) {
     constexpr double rough = 0.02, least_share = 0.25;
-    const TrialLights indirect =
-        solved_directed(propagation_, reflection_, grey(), lights, rough, progress);
+    const std::vector<Fields> indirect =
+        solver_.solved(propagation_, solver_.reflected(lights), rough, progress);
     double squares = 0, count = 0;
-    for (const LightBlock& block : indirect) {
+    for (const Fields& block : indirect) {
         for (Eigen::Index lane = 0; lane < block.cols(); ++lane) {
-            const double square = block.col(lane).square().sum();
+            const double square = squares_of(block, lane);
             squares += square;
             count += square > 0 ? 1 : 0;
         }
     }
     if (!(squares > 0)) return;
     const double least = least_share * squares / count;
+    Fields outgoing;
     for (std::size_t b = 0; b < lights.size(); ++b) {
-        LightBlock outgoing = indirect[b];
-        reflection_.reflect(grey(), lights[b] + indirect[b], outgoing);
-        for (Eigen::Index lane = 0; lane < lights[b].cols(); ++lane) {
-            const double scale = 1 / std::max(indirect[b].col(lane).square().sum(), least);
-            direct_ += scale * lights[b].col(lane).square();
-            outgoing_ += scale * outgoing.col(lane).square();
-        }
+        Eigen::Array<double, Fields::ColsAtCompileTime, 1> scale;
+        for (Eigen::Index lane = 0; lane < scale.size(); ++lane)
+            scale[lane] = 1 / std::max(squares_of(indirect[b], lane), least);
+        const auto weighed = [&scale](const Fields& values, std::size_t k) {
+            return (values.row(static_cast<Eigen::Index>(k)).cast<double>().square().transpose() *
+                    scale)
+                .sum();
+        };
+        for (std::size_t k = 0; k < lights[b].functions.size(); ++k)
+            direct_[lights[b].functions[k]] += weighed(lights[b].values, k);
+        const DirectedLights incident = sum_of(lights[b], solver_.functions(), indirect[b]);
+        reflection_.reflect(grey(), incident.functions, incident.values, all_, outgoing);
+        for (std::size_t k = 0; k < all_.size(); ++k)
+            outgoing_[all_[k]] += weighed(outgoing, k);
     }
     lights_ += count;
 }
@@ -138,8 +158,9 @@ DirectedWeights DirectedEnsemble::weights() const {
 }
 
 SymmetricOperator truncated_propagation(BounceTruncation truncation, const DirectedWeights& weights,
-                                        const Reflection& reflection, const TrialLights& tried,
-                                        double target, const Progress& progress) {
+                                        const Reflection& reflection,
+                                        const std::vector<DirectedLights>& tried, double target,
+                                        const Progress& progress) {
     if (target == 0 || tried.empty()) return truncation.at(0);
     // What a much tighter threshold keeps stands for everything: the rest would cost minutes.
     constexpr double close_enough = 1e-3, negligible = 0.1;
@@ -149,14 +170,17 @@ SymmetricOperator truncated_propagation(BounceTruncation truncation, const Direc
     const double guess = truncation.threshold_for(budget);
     const double tight = truncation.threshold_for(negligible * budget);
     truncation.forget_below(tight);
-    const auto light_on = [&](double threshold) {
-        return seen(solved_directed(truncation.at(threshold), reflection, grey(), tried,
-                                    close_enough, progress),
+    const SymmetricOperator all = truncation.at(tight);
+    const DirectedSolver solver(all, reflection, grey());
+    const std::vector<Fields> reflected = solver.reflected(tried);
+    const auto light_on = [&](const SymmetricOperator& propagation) {
+        return seen(solver.solved(propagation, reflected, close_enough, progress), solver,
                     visibility);
     };
-    const TrialLights reference = light_on(tight);
-    const double threshold = calibrated_threshold(
-        guess, target, [&](double at) { return relative_change(light_on(at), reference); });
+    const std::vector<Fields> reference = light_on(all);
+    const double threshold = calibrated_threshold(guess, target, [&](double at) {
+        return relative_change(light_on(truncation.at(at)), reference);
+    });
     return truncation.at(std::max(threshold, tight));
 }
 
@@ -165,8 +189,9 @@ namespace {
 /// H of one channel, within the target.
 NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
                                const GlobalTransport& transport, const Rgb& shares,
-                               const TrialLights& tried, double target, TruncationRule rule,
-                               const Eigen::ArrayXd& outgoing, const Progress& progress) {
+                               const std::vector<DirectedLights>& tried, double target,
+                               TruncationRule rule, const Eigen::ArrayXd& outgoing,
+                               const Progress& progress) {
     const Eigen::SparseMatrix<double> reflection =
         transport.reflection.matrix(shares, smallest_reflection);
     if (target == 0 || tried.empty()) {
@@ -180,11 +205,13 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
     constexpr double share_of_powers = 0.75, close_enough = 1e-3;
     constexpr int most_passes = 4;
     rule.negligible = negligible_terms;
-    const TrialLights solved = seen(solved_directed(transport.bounce, transport.reflection, shares,
-                                                    tried, close_enough, progress),
-                                    rule.visibility);
+    const DirectedSolver solver(transport.bounce, transport.reflection, shares);
+    const std::vector<Fields> solved =
+        seen(solver.solved(transport.bounce, solver.reflected(tried), close_enough, progress),
+             solver, rule.visibility);
     const auto error_of = [&](const Eigen::SparseMatrix<double>& sum, const TruncationRule& with) {
-        return relative_change(seen(truncated_indirect(sum, with, tried), rule.visibility), solved);
+        return relative_change(
+            seen(solver.truncated_indirect(sum, with, tried), solver, rule.visibility), solved);
     };
     // A first T by what its own coefficients cost; the powers are truncated while they are formed,
     // and if that alone costs too much, less is.
@@ -231,8 +258,8 @@ double area_of_largest(const RadianceSpace& space, std::size_t count) {
 
 }  // namespace
 
-void sum_directed_series(const DirectedWeights& weights, const TrialLights& tried, double target,
-                         const Progress& progress, GlobalTransport& transport) {
+void sum_directed_series(const DirectedWeights& weights, const std::vector<DirectedLights>& tried,
+                         double target, const Progress& progress, GlobalTransport& transport) {
     TruncationRule rule;
     rule.weight = weights.direct;
     // Means keep the energy, and there are the square of the elements of them: of the facets of a

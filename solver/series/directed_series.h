@@ -4,7 +4,7 @@
 #include "radiance4d/progress.h"
 #include "solver/series/bounce_truncation.h"
 #include "solver/series/calibrated_truncation.h"
-#include "solver/series/trial_lights.h"
+#include "solver/series/directed_solver.h"
 
 namespace lightwell {
 
@@ -18,12 +18,6 @@ struct DirectedWeights {
     Eigen::ArrayXd outgoing;  ///< of R (E + H E): what columns of P see
 };
 
-/// The light R (E + X), X = P R (E + X), of lights side by side by plain iteration to a relative
-/// `tolerance`: X.
-TrialLights solved_directed(const SymmetricOperator& propagation, const Reflection& reflection,
-                            const Rgb& shares, const TrialLights& direct, double tolerance,
-                            const Progress& progress);
-
 /// Weights from lights, a few at a time, and the propagation. They steer truncation and nothing
 /// else, so that a propagation without its smallest coefficients serves as well. Keeps references.
 class DirectedEnsemble {
@@ -34,7 +28,7 @@ class DirectedEnsemble {
     /// Further lights, enough to tell how bright indirect light is on the mean: one that almost
     /// nothing reflects is scaled as if a quarter of that were reflected.
     /// @throws Interrupted if the progress says so
-    void add(const TrialLights& lights, const Progress& progress);
+    void add(const std::vector<DirectedLights>& lights, const Progress& progress);
 
     /// Ones where nothing reflects any of the lights.
     DirectedWeights weights() const;
@@ -43,6 +37,8 @@ class DirectedEnsemble {
     const SymmetricOperator& propagation_;
     const RadianceSpace& space_;
     const Reflection& reflection_;
+    DirectedSolver solver_;
+    Reflection::Functions all_;         ///< functions of the space
     Eigen::ArrayXd direct_, outgoing_;  ///< sums of squares over the lights
     double lights_ = 0;                 ///< that anything reflects
 };
@@ -50,11 +46,12 @@ class DirectedEnsemble {
 /// P with as few coefficients as the target allows. Changes of light count as they are seen: by
 /// Reflection::visibility.
 SymmetricOperator truncated_propagation(BounceTruncation truncation, const DirectedWeights& weights,
-                                        const Reflection& reflection, const TrialLights& tried,
-                                        double target, const Progress& progress);
+                                        const Reflection& reflection,
+                                        const std::vector<DirectedLights>& tried, double target,
+                                        const Progress& progress);
 
 /// As sum_series. The scene, the space, the propagation and the reflection are there already.
-void sum_directed_series(const DirectedWeights& weights, const TrialLights& tried, double target,
-                         const Progress& progress, GlobalTransport& transport);
+void sum_directed_series(const DirectedWeights& weights, const std::vector<DirectedLights>& tried,
+                         double target, const Progress& progress, GlobalTransport& transport);
 
 }  // namespace lightwell

@@ -24,26 +24,55 @@ LightBlock applied(const Eigen::SparseMatrix<double>& global, const LightBlock& 
     return y;
 }
 
-}  // namespace
-
-LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x) {
-    LightBlock y;
-    propagate(bounce, x, y);
-    return y;
-}
-
-void propagate(const SymmetricOperator& bounce, const LightBlock& x, LightBlock& y) {
+template <typename Block>
+void propagate_block(const SymmetricOperator& bounce, const Block& x, Block& y) {
     y.setZero(x.rows(), lanes);
     const TransportOperator& upper = bounce.upper;
     for (std::uint32_t column = 0; column < upper.size; ++column) {
         for (std::uint64_t k = upper.column_start[column]; k < upper.column_start[column + 1];
              ++k) {
             const std::uint32_t row = upper.row[k];
-            const auto value = static_cast<double>(upper.value[k]);
+            const auto value = static_cast<typename Block::Scalar>(upper.value[k]);
             y.row(row) += value * x.row(column);
             if (row != column) y.row(column) += value * x.row(row);
         }
     }
+}
+
+template <typename Block>
+double change_of(const std::vector<Block>& changed, const std::vector<Block>& reference) {
+    std::vector<double> difference, norm;
+    double squares = 0;
+    for (std::size_t b = 0; b < reference.size(); ++b) {
+        for (Eigen::Index lane = 0; lane < lanes; ++lane) {
+            const auto lit = reference[b].col(lane).template cast<double>();
+            const double square = lit.square().sum();
+            if (square == 0) continue;  // filled up
+            norm.push_back(square);
+            difference.push_back(
+                (changed[b].col(lane).template cast<double>() - lit).square().sum());
+            squares += square;
+        }
+    }
+    if (norm.empty()) return 0;
+    const auto count = static_cast<double>(norm.size());
+    double sum = 0;
+    for (std::size_t k = 0; k < norm.size(); ++k)
+        sum += difference[k] / std::max(norm[k], 0.25 * squares / count);
+    return std::sqrt(sum / count);
+}
+
+}  // namespace
+
+LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x) {
+    LightBlock y;
+    propagate_block(bounce, x, y);
+    return y;
+}
+
+void propagate(const SymmetricOperator& bounce, const Reflection::Fields& x,
+               Reflection::Fields& y) {
+    propagate_block(bounce, x, y);
 }
 
 TrialLights trial_lights(const std::vector<Eigen::ArrayXd>& fields) {
@@ -91,23 +120,12 @@ TrialLights truncated_indirect(const Eigen::SparseMatrix<double>& global,
 }
 
 double relative_change(const TrialLights& changed, const TrialLights& reference) {
-    std::vector<double> difference, norm;
-    double squares = 0;
-    for (std::size_t b = 0; b < reference.size(); ++b) {
-        for (Eigen::Index lane = 0; lane < lanes; ++lane) {
-            const double square = reference[b].col(lane).square().sum();
-            if (square == 0) continue;  // filled up
-            norm.push_back(square);
-            difference.push_back((changed[b].col(lane) - reference[b].col(lane)).square().sum());
-            squares += square;
-        }
-    }
-    if (norm.empty()) return 0;
-    const auto count = static_cast<double>(norm.size());
-    double sum = 0;
-    for (std::size_t k = 0; k < norm.size(); ++k)
-        sum += difference[k] / std::max(norm[k], 0.25 * squares / count);
-    return std::sqrt(sum / count);
+    return change_of(changed, reference);
+}
+
+double relative_change(const std::vector<Reflection::Fields>& changed,
+                       const std::vector<Reflection::Fields>& reference) {
+    return change_of(changed, reference);
 }
 
 double calibrated_threshold(double guess, double wanted,

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "radiance4d/operator/reflection.h"
 #include "radiance4d/operator/transport_operator.h"
 #include "radiance4d/progress.h"
 #include "solver/series/neumann_series.h"
@@ -21,7 +22,7 @@ TrialLights trial_lights(const std::vector<Eigen::ArrayXd>& fields);
 /// M x.
 LightBlock propagated(const SymmetricOperator& bounce, const LightBlock& x);
 /// The same into y, which is made as large as x; not x itself.
-void propagate(const SymmetricOperator& bounce, const LightBlock& x, LightBlock& y);
+void propagate(const SymmetricOperator& bounce, const Reflection::Fields& x, Reflection::Fields& y);
 
 /// Indirect light x = T (E + x), T = M diag(reflectance), solved to 1e-4: by correction steps with
 /// H (I + H, an approximate inverse of I - T), or, without one, by at most 40 plain iterations.
@@ -39,6 +40,8 @@ TrialLights truncated_indirect(const Eigen::SparseMatrix<double>& global,
 /// Root mean square over the lights of ||changed - reference|| / ||reference||. A light of little
 /// indirect light counts as if it had half of the rms.
 double relative_change(const TrialLights& changed, const TrialLights& reference);
+double relative_change(const std::vector<Reflection::Fields>& changed,
+                       const std::vector<Reflection::Fields>& reference);
 
 /// The threshold, within 5 % of it, at which the error reaches `wanted`, by secant steps in the
 /// logarithms from a first guess; the error grows with the threshold. Of those tried, the largest
