@@ -29,6 +29,7 @@ Neighbours around(double place, int cells) {
 
 std::array<AngularShare, 4> angular_shares(const CellTree& angle, int level,
                                            const Vec3& direction) {
+    if (level == 0) return {AngularShare{0, 1}};
     const Vec2 st = square_from_direction(direction.normalized());
     const Neighbours s = around(st[0], 1 << level), t = around(st[1], 1 << level);
     const int finer = angle.levels() - level;

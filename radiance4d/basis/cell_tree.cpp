@@ -65,18 +65,17 @@ ParameterRect CellTree::rect(const Cell& cell) const {
 
 std::uint32_t CellTree::finest_at(std::uint32_t column, std::uint32_t row) const {
     std::uint32_t index = 0, columns = columns_, rows = rows_;
+    // Whether a number is in the upper half of so many, and where in it.
+    const auto is_upper = [](std::uint32_t& number, std::uint32_t& of) {
+        of /= 2;
+        if (number < of) return 0U;
+        number -= of;
+        return 1U;
+    };
     for (const Split split : splits_) {
         std::uint32_t digit = 0;
-        if (split != Split::v) {
-            columns /= 2;
-            digit += column / columns;
-            column %= columns;
-        }
-        if (split != Split::u) {
-            rows /= 2;
-            digit += (row / rows) * (split == Split::both ? 2 : 1);
-            row %= rows;
-        }
+        if (split != Split::v) digit += is_upper(column, columns);
+        if (split != Split::u) digit += is_upper(row, rows) * (split == Split::both ? 2 : 1);
         index = index * (split == Split::both ? 4 : 2) + digit;
     }
     return index;

@@ -55,9 +55,14 @@ void add_directed_light(const Element& element, const Vec3& from, const Radiance
                       element.space.area({tree.levels(), static_cast<std::uint32_t>(m)})) /
             M_PI * shares_of_directions(element, frame, static_cast<std::uint32_t>(m), from);
     angular.analyse(share, element.angle.levels());
+    RowMatrix by_cell;
     for (int c = 0; c < 3; ++c) {
-        RowMatrix by_cell = (share * irradiance.col(c).matrix().asDiagonal()).transpose();
-        element.space.analyse(by_cell, tree.levels());
+        const bool as_before =
+            c > 0 && (irradiance.col(c) == irradiance.col(c - 1)).all();  // of white light
+        if (!as_before) {
+            by_cell = (share * irradiance.col(c).matrix().asDiagonal()).transpose();
+            element.space.analyse(by_cell, tree.levels());
+        }
         Eigen::Map<RowMatrix>(field.col(c).data() + element.first, cells, angles) += by_cell;
     }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <tuple>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -66,6 +66,12 @@ class PairDirections {
     struct Look {
         Vec3 x, y;
         double kernel = 0;
+    };
+
+    /// The angular cells of a look, and how much of the light between two cells takes that way.
+    struct AnglesOfLook {
+        std::uint32_t receiver = 0, sender = 0;
+        double share = 0;
     };
 
     DirectedEnd end(const Element& element, const AngularDetail& detail, const Cell& cell) const {
@@ -224,7 +230,7 @@ class PairDirections {
         if (seen.empty() && sampled) seen = looks(x, y, count, false);
         if (seen.empty())
             seen.push_back({link.receiver.outline.centre(), link.sender.outline.centre(), 1});
-        std::map<std::pair<std::uint32_t, std::uint32_t>, double> by_angles;
+        by_angles_.clear();
         double sum = 0;
         for (const Look& look : seen) {
             const Vec3 towards = look.y - look.x;
@@ -234,13 +240,24 @@ class PairDirections {
             for (const AngularShare& i : at_receiver)
                 for (const AngularShare& j : at_sender)
                     if (i.share * j.share > 0)
-                        by_angles[{i.cell, j.cell}] += look.kernel * i.share * j.share;
+                        by_angles_.push_back({i.cell, j.cell, look.kernel * i.share * j.share});
             sum += look.kernel;
         }
-        for (const auto& [angles, share] : by_angles)
-            result_.links.push_back({receiver_.space.tree().position(x), angles.first,
-                                     sender_.space.tree().position(y), angles.second,
+        std::stable_sort(by_angles_.begin(), by_angles_.end(),
+                         [](const AnglesOfLook& a, const AnglesOfLook& b) {
+                             return std::tie(a.receiver, a.sender) < std::tie(b.receiver, b.sender);
+                         });
+        for (auto look = by_angles_.begin(); look != by_angles_.end();) {
+            const AnglesOfLook angles = *look;
+            double share = 0;
+            for (; look != by_angles_.end() && look->receiver == angles.receiver &&
+                   look->sender == angles.sender;
+                 ++look)
+                share += look->share;
+            result_.links.push_back({receiver_.space.tree().position(x), angles.receiver,
+                                     sender_.space.tree().position(y), angles.sender,
                                      link.exchange * share / sum, true});
+        }
     }
 
     const Element& receiver_;
@@ -251,6 +268,7 @@ class PairDirections {
     const DirectionalOracle& oracle_;
     const Visibility& visibility_;
     DirectedRefinerOptions options_;
+    std::vector<AnglesOfLook> by_angles_;  ///< of the link that is told apart
     DirectedPair result_;
     OracleCost cost_;
 };
