@@ -117,24 +117,33 @@ void Reflection::reflect(const Rgb& shares, const Functions& from, const Fields&
     }
 }
 
-Eigen::SparseMatrix<double> Reflection::matrix(const Rgb& shares, double smallest) const {
+Eigen::SparseMatrix<double> Reflection::matrix(const Rgb& shares, double smallest,
+                                               const std::vector<bool>& leaving) const {
     const auto n = static_cast<Eigen::Index>(functions_);
+    LIGHTWELL_CHECK_OP(leaving.size(), ==, std::size_t{functions_});
     Eigen::SparseMatrix<double> result(n, n);
-    Eigen::Index entries = 0;
-    for (const OfElement& element : of_element_)
-        entries +=
-            element.cells * (between_angles(element, shares).array().abs() > smallest).count();
-    result.reserve(entries);
+    std::vector<int> wanted;  // rows of a spatial function
     // Elements, their cells and the functions of these follow each other, and so do the columns.
-    for (const OfElement& element : of_element_) {
-        const RowMatrix angles = between_angles(element, shares);
-        for (Eigen::Index j = 0; j < element.cells * element.angles; ++j) {
-            const Eigen::Index b = j % element.angles, column = element.first + j;
-            result.startVec(column);
-            for (Eigen::Index a = 0; a < element.angles; ++a)
-                if (std::abs(angles(a, b)) > smallest)
-                    result.insertBack(column - b + a, column) = angles(a, b);
+    for (const bool counts : {true, false}) {
+        Eigen::Index entries = 0;
+        for (const OfElement& element : of_element_) {
+            const RowMatrix angles = between_angles(element, shares);
+            for (Eigen::Index k = 0; k < element.cells; ++k) {
+                const Eigen::Index first = element.first + k * element.angles;
+                wanted.clear();
+                for (int a = 0; a < element.angles; ++a)
+                    if (leaving[static_cast<std::size_t>(first + a)]) wanted.push_back(a);
+                for (Eigen::Index b = 0; b < element.angles; ++b) {
+                    if (!counts) result.startVec(first + b);
+                    for (const int a : wanted) {
+                        if (!(std::abs(angles(a, b)) > smallest)) continue;
+                        ++entries;
+                        if (!counts) result.insertBack(first + a, first + b) = angles(a, b);
+                    }
+                }
+            }
         }
+        if (counts) result.reserve(entries);
     }
     result.finalize();
     return result;

@@ -40,7 +40,10 @@ class Reflection {
     void reflect(const Rgb& shares, const Functions& from, const Fields& incident,
                  const Functions& to, Fields& outgoing) const;
     /// R of such a channel as a matrix, without the coefficients below `smallest`.
-    Eigen::SparseMatrix<double> matrix(const Rgb& shares, double smallest) const;
+    ///
+    /// @param leaving  by basis function: whether its row is wanted; the others are left empty
+    Eigen::SparseMatrix<double> matrix(const Rgb& shares, double smallest,
+                                       const std::vector<bool>& leaving) const;
     /// By basis function: norm of what becomes of it, relative to that of the angular mean, at most
     /// one. Light that differs only in functions of which little is reflected looks the same.
     Eigen::ArrayXd visibility(const Rgb& shares) const;

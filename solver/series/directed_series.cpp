@@ -192,8 +192,12 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
                                const std::vector<DirectedLights>& tried, double target,
                                TruncationRule rule, const Eigen::ArrayXd& outgoing,
                                const Progress& progress) {
+    // The rest of R meets nothing of P.
+    std::vector<bool> leaving(transport.space.functions());
+    for (std::size_t j = 0; j < leaving.size(); ++j)
+        leaving[j] = propagation.outerIndexPtr()[j + 1] > propagation.outerIndexPtr()[j];
     const Eigen::SparseMatrix<double> reflection =
-        transport.reflection.matrix(shares, smallest_reflection);
+        transport.reflection.matrix(shares, smallest_reflection, leaving);
     if (target == 0 || tried.empty()) {
         rule.threshold = 0;
         return neumann_series(truncated_product(propagation, reflection, rule, progress), rule,

@@ -11,6 +11,6 @@ namespace lightwell {
 /// Magnitudes are coefficients weighted by how much light their column can carry, so the sum of
 /// squares is the expected squared error over the ensemble of lights when errors of different
 /// columns are independent.
-double threshold_for_budget(std::vector<double> magnitudes, double budget);
+double threshold_for_budget(const std::vector<double>& magnitudes, double budget);
 
 }  // namespace lightwell

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include "solver/transport/sparse_analysis.h"
 
@@ -93,19 +92,7 @@ std::vector<Coefficient> direct_transport(const RadianceSpace& space, std::vecto
         progress.say("operator",
                      static_cast<double>(++finished) / static_cast<double>(pairs.size()));
     });
-    std::size_t count = 0;
-    for (const auto& block : blocks)
-        count += block.size();
-    std::vector<Coefficient> all;
-    all.reserve(count);
-    for (auto& block : blocks) {
-        all.insert(all.end(), block.begin(), block.end());
-        std::vector<Coefficient>().swap(block);
-    }
-    tbb::parallel_sort(all.begin(), all.end(), [](const Coefficient& a, const Coefficient& b) {
-        return a.column != b.column ? a.column < b.column : a.row < b.row;
-    });
-    return all;
+    return joined(std::move(blocks), space.functions());
 }
 
 }  // namespace lightwell

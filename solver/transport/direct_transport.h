@@ -5,16 +5,10 @@
 
 #include "radiance4d/operator/transport_operator.h"
 #include "radiance4d/progress.h"
+#include "solver/transport/coefficients.h"
 #include "solver/transport/link.h"
 
 namespace lightwell {
-
-/// One coefficient of the geometric operator, row < column.
-struct Coefficient {
-    std::uint32_t row = 0;
-    std::uint32_t column = 0;
-    float value = 0;
-};
 
 /// The colourless geometric operator M in the standard decomposition, all its coefficients: <b_r, M
 /// b_s> with M = Int F V, so that a single bounce is T = M diag(rho) (WRT eq. 3 for diffuse

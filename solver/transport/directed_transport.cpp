@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/failure.h"
@@ -165,19 +165,7 @@ std::vector<Coefficient> directed_transport(const RadianceSpace& space,
         progress.check();
         blocks[p] = pair_block(space, pairs[p]);
     });
-    std::size_t count = 0;
-    for (const std::vector<Coefficient>& block : blocks)
-        count += block.size();
-    std::vector<Coefficient> all;
-    all.reserve(count);
-    for (std::vector<Coefficient>& block : blocks) {
-        all.insert(all.end(), block.begin(), block.end());
-        std::vector<Coefficient>().swap(block);
-    }
-    tbb::parallel_sort(all.begin(), all.end(), [](const Coefficient& a, const Coefficient& b) {
-        return a.column != b.column ? a.column < b.column : a.row < b.row;
-    });
-    return all;
+    return joined(std::move(blocks), space.functions());
 }
 
 }  // namespace lightwell

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "radiance4d/progress.h"
-#include "solver/transport/direct_transport.h"
+#include "solver/transport/coefficients.h"
 #include "solver/transport/directed_links.h"
 
 namespace lightwell {
