@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <tbb/parallel_for.h>
+
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/scene/brdf.h"
 #include "solver/diffuse_operator.h"
@@ -24,15 +26,16 @@ std::vector<DirectedLights> projected(const RadianceSpace& space, const Ground& 
                                       const std::vector<Vec3>& positions,
                                       const Progress& progress) {
     constexpr std::size_t lanes = Reflection::Fields::ColsAtCompileTime;
-    std::vector<DirectedLights> lights;
-    std::vector<Eigen::ArrayXd> fields;
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        progress.check();
-        fields.push_back(white_light(space, positions[k], ground.quads, ground.occluders));
-        if (fields.size() < lanes && k + 1 < positions.size()) continue;
-        lights.push_back(DirectedLights::of(fields));
-        fields.clear();
-    }
+    std::vector<DirectedLights> lights((positions.size() + lanes - 1) / lanes);
+    tbb::parallel_for(std::size_t{0}, lights.size(), [&](std::size_t block) {
+        std::vector<Eigen::ArrayXd> fields;
+        for (std::size_t k = block * lanes; k < std::min((block + 1) * lanes, positions.size());
+             ++k) {
+            progress.check();
+            fields.push_back(white_light(space, positions[k], ground.quads, ground.occluders));
+        }
+        lights[block] = DirectedLights::of(fields);
+    });
     return lights;
 }
 
