@@ -19,8 +19,6 @@ namespace {
 
 /// The budget of independent errors that comes near a measured one.
 constexpr double independent_share = 0.3;
-/// Coefficients of R below this are no part of T: R has norm one at most.
-constexpr double smallest_reflection = 2e-4;
 
 Rgb grey() {
     return Rgb::Constant(1.0 / 3);
@@ -157,6 +155,15 @@ DirectedWeights DirectedEnsemble::weights() const {
     return weights;
 }
 
+Eigen::SparseMatrix<double> reflection_into(const Eigen::SparseMatrix<double>& propagation,
+                                            const Reflection& reflection, const Rgb& shares) {
+    constexpr double smallest = 2e-4;
+    std::vector<bool> leaving(static_cast<std::size_t>(propagation.cols()));
+    for (std::size_t j = 0; j < leaving.size(); ++j)
+        leaving[j] = propagation.outerIndexPtr()[j + 1] > propagation.outerIndexPtr()[j];
+    return reflection.matrix(shares, smallest, leaving);
+}
+
 SymmetricOperator truncated_propagation(BounceTruncation truncation, const DirectedWeights& weights,
                                         const Reflection& reflection,
                                         const std::vector<DirectedLights>& tried, double target,
@@ -192,12 +199,8 @@ NeumannSeries truncated_series(const Eigen::SparseMatrix<double>& propagation,
                                const std::vector<DirectedLights>& tried, double target,
                                TruncationRule rule, const Eigen::ArrayXd& outgoing,
                                const Progress& progress) {
-    // The rest of R meets nothing of P.
-    std::vector<bool> leaving(transport.space.functions());
-    for (std::size_t j = 0; j < leaving.size(); ++j)
-        leaving[j] = propagation.outerIndexPtr()[j + 1] > propagation.outerIndexPtr()[j];
     const Eigen::SparseMatrix<double> reflection =
-        transport.reflection.matrix(shares, smallest_reflection, leaving);
+        reflection_into(propagation, transport.reflection, shares);
     if (target == 0 || tried.empty()) {
         rule.threshold = 0;
         return neumann_series(truncated_product(propagation, reflection, rule, progress), rule,

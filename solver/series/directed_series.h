@@ -50,6 +50,11 @@ SymmetricOperator truncated_propagation(BounceTruncation truncation, const Direc
                                         const std::vector<DirectedLights>& tried, double target,
                                         const Progress& progress);
 
+/// R of a channel (see Reflection::matrix) as a factor of T = P R: without the rows that meet no
+/// column of P, and without coefficients below 2e-4, since the norm of R is one at most.
+Eigen::SparseMatrix<double> reflection_into(const Eigen::SparseMatrix<double>& propagation,
+                                            const Reflection& reflection, const Rgb& shares);
+
 /// As sum_series. The scene, the space, the propagation and the reflection are there already.
 void sum_directed_series(const DirectedWeights& weights, const std::vector<DirectedLights>& tried,
                          double target, const Progress& progress, GlobalTransport& transport);

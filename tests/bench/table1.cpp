@@ -23,6 +23,7 @@
 #include "solver/precompute.h"
 #include "solver/reading/scene_reader.h"
 #include "solver/reference/random_lights.h"
+#include "solver/series/directed_series.h"
 #include "solver/series/neumann_series.h"
 #include "solver/series/trial_lights.h"
 #include "solver/series/truncation.h"
@@ -123,7 +124,6 @@ class GatheredOperator {
 
     /// T of a channel: M diag(rho) or P R.
     Sparse one_bounce(int colour) const {
-        constexpr double smallest = 2e-4;
         if (!has_angles(transport_.space))
             return to_matrix(transport_.bounce,
                              reflectance_of(transport_.scene, transport_.space).col(colour));
@@ -131,10 +131,11 @@ class GatheredOperator {
         shares[colour] = 1;
         TruncationRule rounding = rule_;
         rounding.weight = Eigen::ArrayXd::Ones(transport_.space.functions());
-        rounding.threshold = smallest * smallest;
+        rounding.threshold = 4e-8;
+        const Sparse propagation =
+            to_matrix(transport_.bounce, Eigen::ArrayXd::Ones(transport_.space.functions()));
         return truncated_product(
-            to_matrix(transport_.bounce, Eigen::ArrayXd::Ones(transport_.space.functions())),
-            transport_.reflection.matrix(shares, smallest), rounding);
+            propagation, reflection_into(propagation, transport_.reflection, shares), rounding);
     }
 
     const GlobalTransport& transport_;

@@ -76,8 +76,7 @@ TEST(Reflection, ActsOnDirectionsAlone) {
             }
 }
 
-// Of one channel, several fields at once, some of whose functions are dark: the same but for what
-// is left out of a sharp lobe, of which nine tenths of the coefficients are next to nothing.
+// Of one channel, several fields at once, between functions of which some are left out.
 TEST(Reflection, OfSeveralFieldsIsThatOfEach) {
     for (const double exponent : {5.0, 200.0}) {
         ThreeSides sides;
@@ -87,18 +86,56 @@ TEST(Reflection, OfSeveralFieldsIsThatOfEach) {
         const RadianceSpace space(std::move(elements));
         const Reflection reflection(sides.scene, space);
         RadianceField in = numbers(space.functions());
-        for (Eigen::Index j = 0; j < in.rows(); j += 3)
-            in.row(j).setZero();
+        Reflection::Functions from, to;
+        for (std::uint32_t j = 0; j < space.functions(); ++j) {
+            if (j % 3 == 0)
+                in.row(j).setZero();
+            else
+                from.push_back(j);
+            if (j % 5 < 3) to.push_back(j);
+        }
+        Reflection::Fields lit =
+            Reflection::Fields::Zero(static_cast<Eigen::Index>(from.size()), 8);
+        for (std::size_t k = 0; k < from.size(); ++k)
+            lit.row(static_cast<Eigen::Index>(k)).head<3>() = in.row(from[k]).cast<float>();
         const RadianceField each = reflection.outgoing(in);
         for (int c = 0; c < 3; ++c) {
             Rgb shares = Rgb::Zero();
             shares[c] = 1;
-            Reflection::Fields out(in.rows(), 3);
-            reflection.reflect(shares, in, out);
-            EXPECT_LT((out.col(c) - each.col(c)).matrix().norm(),
-                      2e-5 * each.col(c).matrix().norm());
+            Reflection::Fields out;
+            reflection.reflect(shares, from, lit, to, out);
+            ASSERT_EQ(out.rows(), static_cast<Eigen::Index>(to.size()));
+            double off = 0, all = 0;
+            for (std::size_t k = 0; k < to.size(); ++k) {
+                const double wanted = each(to[k], c);
+                off +=
+                    std::pow(static_cast<double>(out(static_cast<Eigen::Index>(k), c)) - wanted, 2);
+                all += wanted * wanted;
+            }
+            EXPECT_LT(off, 1e-12 * all);
+            EXPECT_TRUE((out.col(7) == 0).all());
         }
     }
+}
+
+// As a matrix, R is what it does to fields, but for what is too small and rows that are not wanted.
+TEST(Reflection, IsAMatrixOfTheRowsThatAreWanted) {
+    const ThreeSides sides;
+    const Reflection reflection(sides.scene, sides.space);
+    const RadianceField in = numbers(sides.space.functions());
+    std::vector<bool> wanted(sides.space.functions());
+    for (std::size_t j = 0; j < wanted.size(); ++j)
+        wanted[j] = j % 3 != 1;
+    const Eigen::ArrayXd out =
+        (reflection.matrix(Rgb(0, 1, 0), 0, wanted) * in.col(1).matrix()).array();
+    const Eigen::ArrayXd expected = reflection.outgoing(in).col(1);
+    for (std::size_t j = 0; j < wanted.size(); ++j) {
+        const auto row = static_cast<Eigen::Index>(j);
+        EXPECT_NEAR(out[row], wanted[j] ? expected[row] : 0, 1e-12);
+    }
+    const std::vector<bool> all(wanted.size(), true);
+    EXPECT_LT(reflection.matrix(Rgb(0, 1, 0), 0.1, all).nonZeros(),
+              reflection.matrix(Rgb(0, 1, 0), 0, all).nonZeros());
 }
 
 // A point source's light has the irradiance it was given, and comes from where the source is.
