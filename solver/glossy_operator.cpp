@@ -163,9 +163,9 @@ double glossy_functions(const Ground& ground, const PrecomputeOptions& options,
 }
 
 double glossy_memory_for(const Ground& ground, double functions, double truncation) {
-    // Measured are 2.3 to 5.3 kB a function among ten elements, with 48 lights at once, and 7 to 11
-    // kB among 2888: every function has coefficients with each of those that it sees.
-    constexpr double bytes_apart = 5700, bytes_an_element = 2.5, bytes_a_pair = 120;
+    // Measured are 2.3 to 5.3 kB a function among ten elements, and 7 to 14 kB among 2888: every
+    // function has coefficients with each of those that it sees.
+    constexpr double bytes_apart = 5700, bytes_an_element = 3, bytes_a_pair = 120;
     const double bytes_a_function =
         bytes_apart + bytes_an_element * static_cast<double>(ground.elements.size());
     return bytes_a_function * functions +

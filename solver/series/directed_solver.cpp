@@ -34,8 +34,8 @@ DirectedLights DirectedLights::of(const std::vector<Eigen::ArrayXd>& fields) {
 }
 
 DirectedSolver::DirectedSolver(const SymmetricOperator& propagation, const Reflection& reflection,
-                               const Rgb& shares)
-    : reflection_(reflection), shares_(shares), place_(propagation.upper.size, 0) {
+                               Rgb shares)
+    : reflection_(reflection), shares_(std::move(shares)), place_(propagation.upper.size, 0) {
     const TransportOperator& upper = propagation.upper;
     std::vector<bool> is_reached(upper.size, false);
     for (std::uint32_t column = 0; column < upper.size; ++column) {

@@ -32,8 +32,7 @@ class DirectedSolver {
     ///
     /// @param propagation  P; other ones may be solved with that have no coefficients elsewhere
     /// @param shares       of the channels in the light's one (see Reflection::reflect)
-    DirectedSolver(const SymmetricOperator& propagation, const Reflection& reflection,
-                   const Rgb& shares);
+    DirectedSolver(const SymmetricOperator& propagation, const Reflection& reflection, Rgb shares);
 
     /// Where light may arrive: what the rows of fields stand for.
     const Reflection::Functions& functions() const { return functions_; }

@@ -74,7 +74,7 @@ class PairDirections {
         double share = 0;
     };
 
-    DirectedEnd end(const Element& element, const AngularDetail& detail, const Cell& cell) const {
+    static DirectedEnd end(const Element& element, const AngularDetail& detail, const Cell& cell) {
         DirectedEnd result{&element, &detail, cell, element.cell(cell), 0};
         const Vec3 centre = result.outline.centre();
         for (const Vec3& corner : result.outline.vertex)
