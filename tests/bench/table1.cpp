@@ -131,7 +131,7 @@ class GatheredOperator {
         shares[colour] = 1;
         TruncationRule rounding = rule_;
         rounding.weight = Eigen::ArrayXd::Ones(transport_.space.functions());
-        rounding.threshold = 4e-8;
+        rounding.threshold = 4e-8;  // the square of the least that is kept of R
         const Sparse propagation =
             to_matrix(transport_.bounce, Eigen::ArrayXd::Ones(transport_.space.functions()));
         return truncated_product(

@@ -1,7 +1,6 @@
 // Coefficients of many blocks in the order that operators are stored in.
 #include "solver/transport/coefficients.h"
 
-#include <algorithm>
 #include <tuple>
 
 #include <gtest/gtest.h>
