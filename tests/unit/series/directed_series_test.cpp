@@ -100,8 +100,8 @@ TEST_F(DirectedSeries, SolvesForWhatPlainIterationGives) {
     // Of P, only what the floor and one wall exchange.
     const Element& floor = transport.space.element(
         static_cast<std::size_t>(transport.space.element_on(floor_z0, true)));
-    const Element& wall = transport.space.element(
-        static_cast<std::size_t>(transport.space.element_on(x0, true)));
+    const Element& wall =
+        transport.space.element(static_cast<std::size_t>(transport.space.element_on(x0, true)));
     const auto is_of = [](const Element& element, std::uint32_t function) {
         return function >= element.first && function < element.first + element.functions();
     };
