@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include "radiance4d/failure.h"
 #include "radiance4d/scene/brdf.h"
@@ -70,15 +73,14 @@ RadianceField Reflection::outgoing(const RadianceField& incident) const {
     return result;
 }
 
-RowMatrix Reflection::between_angles(const OfElement& element, const Rgb& shares) const {
-    RowMatrix result = RowMatrix::Zero(element.angles, element.angles);
-    if (element.lobe < 0)
-        result.diagonal().setConstant((shares * element.diffuse).sum());
-    else
-        result = (shares * element.specular).sum() *
-                 lobes_[static_cast<std::size_t>(element.lobe)].matrix();
-    if (element.lobe >= 0) result(0, 0) += (shares * element.diffuse).sum();
-    return result;
+double Reflection::between(const OfElement& element, const Rgb& shares, Eigen::Index a,
+                           Eigen::Index b) const {
+    double value = 0;
+    if (element.lobe >= 0)
+        value = (shares * element.specular).sum() *
+                lobes_[static_cast<std::size_t>(element.lobe)].matrix()(a, b);
+    if (a == 0 && b == 0) value += (shares * element.diffuse).sum();
+    return value;
 }
 
 void Reflection::reflect(const Rgb& shares, const Functions& from, const Fields& incident,
@@ -126,33 +128,34 @@ void Reflection::reflect(const Rgb& shares, const Functions& from, const Fields&
 
 Eigen::SparseMatrix<double> Reflection::matrix(const Rgb& shares, double smallest,
                                                const std::vector<bool>& leaving) const {
-    const auto n = static_cast<Eigen::Index>(functions_);
+    using Matrix = Eigen::SparseMatrix<double>;
     LIGHTWELL_CHECK_OP(leaving.size(), ==, std::size_t{functions_});
-    Eigen::SparseMatrix<double> result(n, n);
-    std::vector<int> wanted;  // rows of a spatial function
-    // Elements, their cells and the functions of these follow each other, and so do the columns.
-    for (const bool counts : {true, false}) {
-        Eigen::Index entries = 0;
-        for (const OfElement& element : of_element_) {
-            const RowMatrix angles = between_angles(element, shares);
-            for (Eigen::Index k = 0; k < element.cells; ++k) {
+    // Light stays in its spatial function, so that each of these has columns of its own.
+    const auto for_each_coefficient = [&](const auto& act) {
+        for (const OfElement& element : of_element_)
+            tbb::parallel_for(Eigen::Index{0}, element.cells, [&](Eigen::Index k) {
                 const Eigen::Index first = element.first + k * element.angles;
-                wanted.clear();
-                for (int a = 0; a < element.angles; ++a)
-                    if (leaving[static_cast<std::size_t>(first + a)]) wanted.push_back(a);
-                for (Eigen::Index b = 0; b < element.angles; ++b) {
-                    if (!counts) result.startVec(first + b);
-                    for (const int a : wanted) {
-                        if (!(std::abs(angles(a, b)) > smallest)) continue;
-                        ++entries;
-                        if (!counts) result.insertBack(first + a, first + b) = angles(a, b);
+                for (Eigen::Index a = 0; a < element.angles; ++a) {
+                    if (!leaving[static_cast<std::size_t>(first + a)]) continue;
+                    for (Eigen::Index b = 0; b < element.angles; ++b) {
+                        const double value = between(element, shares, a, b);
+                        if (std::abs(value) > smallest) act(first + a, first + b, value);
                     }
                 }
-            }
-        }
-        if (counts) result.reserve(entries);
-    }
-    result.finalize();
+            });
+    };
+    const auto n = static_cast<Eigen::Index>(functions_);
+    Matrix result(n, n);
+    Matrix::StorageIndex* start = result.outerIndexPtr();
+    for_each_coefficient([&](Eigen::Index, Eigen::Index column, double) { ++start[column + 1]; });
+    std::partial_sum(start, start + n + 1, start);
+    result.resizeNonZeros(start[n]);
+    std::vector<Matrix::StorageIndex> next(start, start + n);
+    for_each_coefficient([&](Eigen::Index row, Eigen::Index column, double value) {
+        const Matrix::StorageIndex at = next[static_cast<std::size_t>(column)]++;
+        result.innerIndexPtr()[at] = static_cast<Matrix::StorageIndex>(row);
+        result.valuePtr()[at] = value;
+    });
     return result;
 }
 
@@ -160,12 +163,14 @@ Eigen::ArrayXd Reflection::visibility(const Rgb& shares) const {
     Eigen::ArrayXd result = Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(functions_));
     for (const OfElement& element : of_element_) {
         if (element.lobe < 0) continue;
-        const Eigen::ArrayXd norm =
-            between_angles(element, shares).colwise().norm().transpose().array();
-        if (!(norm[0] > 0)) continue;
+        Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(element.angles);
+        for (Eigen::Index a = 0; a < element.angles; ++a)
+            for (Eigen::Index b = 0; b < element.angles; ++b)
+                squares[b] += std::pow(between(element, shares, a, b), 2);
+        if (!(squares[0] > 0)) continue;
+        const Eigen::ArrayXd relative = (squares / squares[0]).sqrt().min(1.0);
         for (Eigen::Index k = 0; k < element.cells; ++k)
-            result.segment(element.first + k * element.angles, element.angles) =
-                (norm / norm[0]).min(1.0);
+            result.segment(element.first + k * element.angles, element.angles) = relative;
     }
     return result;
 }

@@ -58,8 +58,9 @@ class Reflection {
         Rgb specular = Rgb::Zero();
         int lobe = -1;
     };
-    /// R between the angular functions of an element, for one channel.
-    RowMatrix between_angles(const OfElement& element, const Rgb& shares) const;
+    /// R of one channel from angular function `b` of an element to `a`.
+    double between(const OfElement& element, const Rgb& shares, Eigen::Index a,
+                   Eigen::Index b) const;
 
     /// A lobe in single precision, by where light leaves, then by where it arrives.
     using Response = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

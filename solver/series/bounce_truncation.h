@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "solver/transport/direct_transport.h"
@@ -39,6 +40,8 @@ class BounceTruncation {
     SymmetricOperator at(double threshold) const;
 
   private:
+    /// Sets column_start_ and of_uniform_.
+    void find_places();
     double magnitude(const Coefficient& c) const;
     bool is_kept(const Coefficient& c, double threshold) const;
     bool joins_means(const Coefficient& c) const;
@@ -47,6 +50,8 @@ class BounceTruncation {
 
     const RadianceSpace& space_;
     std::vector<Coefficient> coefficients_;
+    std::vector<std::size_t> column_start_;  ///< into coefficients_, by column, and the end of all
+    std::vector<std::size_t> of_uniform_;  ///< coefficients that uniform light makes a response of
     Eigen::ArrayXd weight_;
     Eigen::ArrayXd visibility_;  ///< empty: all alike
     Eigen::ArrayXd uniform_;     ///< uniform light: sqrt(area) on the scaling functions of elements

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include <tbb/parallel_for.h>
+
 #include "solver/series/neumann_series.h"
 #include "solver/series/trial_lights.h"
 #include "solver/series/truncation.h"
@@ -285,15 +287,21 @@ void sum_directed_series(const DirectedWeights& weights, const std::vector<Direc
             return transport.reflection.are_alike(earlier, c);
         });
         transport.channel[static_cast<std::size_t>(c)] = static_cast<int>(same - first_of.begin());
-        if (same != first_of.end()) continue;
-        first_of.push_back(c);
+        if (same == first_of.end()) first_of.push_back(c);
+    }
+    std::vector<NeumannSeries> series(first_of.size());
+    tbb::parallel_for(std::size_t{0}, first_of.size(), [&](std::size_t k) {
         Rgb shares = Rgb::Zero();
-        shares[c] = 1;
-        rule.visibility = transport.reflection.visibility(shares);
-        const NeumannSeries series = truncated_series(propagation, transport, shares, tried, target,
-                                                      rule, weights.outgoing, progress);
-        transport.indirect.push_back(to_operator(series.sum));
-        transport.provenance.bounces = std::max(transport.provenance.bounces, series.bounces);
+        shares[first_of[k]] = 1;
+        TruncationRule of_channel = rule;
+        of_channel.visibility = transport.reflection.visibility(shares);
+        series[k] = truncated_series(propagation, transport, shares, tried, target, of_channel,
+                                     weights.outgoing, progress);
+    });
+    for (NeumannSeries& one : series) {
+        transport.indirect.push_back(to_operator(one.sum));
+        transport.provenance.bounces = std::max(transport.provenance.bounces, one.bounces);
+        one = {};
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -24,17 +25,14 @@ struct Column {
 
 Sparse assembled(Eigen::Index size, const std::vector<Column>& columns) {
     Sparse matrix(size, size);
-    std::size_t count = 0;
-    for (const Column& column : columns)
-        count += column.row.size();
-    matrix.reserve(static_cast<Eigen::Index>(count));
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-        matrix.startVec(static_cast<Eigen::Index>(j));
-        for (std::size_t k = 0; k < columns[j].row.size(); ++k)
-            matrix.insertBack(columns[j].row[k], static_cast<Eigen::Index>(j)) =
-                columns[j].value[k];
-    }
-    matrix.finalize();
+    Sparse::StorageIndex* start = matrix.outerIndexPtr();
+    for (std::size_t j = 0; j < columns.size(); ++j)
+        start[j + 1] = start[j] + static_cast<Sparse::StorageIndex>(columns[j].row.size());
+    matrix.resizeNonZeros(start[columns.size()]);
+    tbb::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t j) {
+        std::copy(columns[j].row.begin(), columns[j].row.end(), matrix.innerIndexPtr() + start[j]);
+        std::copy(columns[j].value.begin(), columns[j].value.end(), matrix.valuePtr() + start[j]);
+    });
     return matrix;
 }
 
@@ -167,15 +165,19 @@ Sparse truncated_product(const Sparse& a, const Sparse& b, const TruncationRule&
         for (std::size_t j = range.begin(); j != range.end(); ++j) {
             for (Sparse::InnerIterator ib(b, static_cast<Eigen::Index>(j)); ib; ++ib)
                 add_column(ib.row(), ib.value(), static_cast<Eigen::Index>(j), sum);
-            std::sort(sum.touched.begin(), sum.touched.end());
+            std::vector<int>& rows = columns[j].row;
+            const auto is_wanted = [&](int row) {
+                return is_kept(rule, row, static_cast<Eigen::Index>(j),
+                               sum.value[static_cast<std::size_t>(row)]);
+            };
+            std::copy_if(sum.touched.begin(), sum.touched.end(), std::back_inserter(rows),
+                         is_wanted);
+            std::sort(rows.begin(), rows.end());
+            for (const int row : rows)
+                columns[j].value.push_back(sum.value[static_cast<std::size_t>(row)]);
             for (const int row : sum.touched) {
-                const auto r = static_cast<std::size_t>(row);
-                if (is_kept(rule, row, static_cast<Eigen::Index>(j), sum.value[r])) {
-                    columns[j].row.push_back(row);
-                    columns[j].value.push_back(sum.value[r]);
-                }
-                sum.value[r] = 0;
-                sum.is_touched[r] = 0;
+                sum.value[static_cast<std::size_t>(row)] = 0;
+                sum.is_touched[static_cast<std::size_t>(row)] = 0;
             }
             sum.touched.clear();
         }

@@ -50,6 +50,13 @@ const PairRecord* record_of(const std::vector<PairRecord>& by_sender, std::uint3
     return found != by_sender.end() && found->sender == sender ? &*found : nullptr;
 }
 
+/// What became of a pair.
+struct Decided {
+    PairLinks links;
+    PairRecord record;
+    OracleCost cost;
+};
+
 }  // namespace
 
 std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
@@ -68,42 +75,59 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
         tolerance[e] = coplanar_share * Facet::of(elements[e].geometry, normal[e]).reach();
     }
 
+    const auto decided = [&](std::size_t i, std::size_t j, const PairRecord* earlier) {
+        const Element& x = elements[i];
+        const Element& y = elements[j];
+        const PairLinks pair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), {}};
+        const auto occluders = [&] {
+            return oracle.needs_occluders()
+                       ? occluders_between(x, normal[i], y, normal[j], quads, tree)
+                       : std::vector<int>();
+        };
+        Decided result;
+        PairRefiner refiner(elements, oracle, occluders, pair, normal[i], normal[j], result.cost);
+        if (earlier != nullptr)
+            refiner.go_on_from(*earlier);
+        else
+            refiner.refine();
+        result.links = refiner.take_links();
+        result.record = refiner.take_record();
+        return result;
+    };
+    const auto may_see_each_other = [&](std::size_t i, std::size_t j) {
+        return !buried[i] && !buried[j] &&
+               has_part_in_front(elements[i].geometry, normal[j], elements[j].geometry.vertex[0],
+                                 tolerance[i]) &&
+               has_part_in_front(elements[j].geometry, normal[i], elements[i].geometry.vertex[0],
+                                 tolerance[j]);
+    };
+
     std::vector<std::vector<PairLinks>> by_receiver(n);
     std::vector<OracleCost> cost_by_receiver(n);
     if (records != nullptr) records->by_receiver.resize(n);
     std::atomic<std::size_t> finished{0};
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
-        progress.check();
-        std::vector<PairRecord> earlier_ones, decided;
+        std::vector<PairRecord> earlier_ones;
         if (goes_on) earlier_ones = std::move(records->by_receiver[i]);
-        for (std::size_t j = i + 1; j < n; ++j) {
-            if (buried[i] || buried[j]) continue;
-            const Element& x = elements[i];
-            const Element& y = elements[j];
-            if (!has_part_in_front(x.geometry, normal[j], y.geometry.vertex[0], tolerance[i]) ||
-                !has_part_in_front(y.geometry, normal[i], x.geometry.vertex[0], tolerance[j]))
-                continue;
-            const PairLinks pair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), {}};
-            const PairRecord* earlier = goes_on ? record_of(earlier_ones, pair.sender) : nullptr;
-            if (goes_on && earlier == nullptr) continue;
-            const auto occluders = [&] {
-                return oracle.needs_occluders()
-                           ? occluders_between(x, normal[i], y, normal[j], quads, tree)
-                           : std::vector<int>();
-            };
-            PairRefiner refiner(elements, oracle, occluders, pair, normal[i], normal[j],
-                                cost_by_receiver[i]);
-            if (earlier != nullptr)
-                refiner.go_on_from(*earlier);
-            else
-                refiner.refine();
-            PairRecord record = refiner.take_record();
-            if (records != nullptr && !record.verdicts.empty())
-                decided.push_back(std::move(record));
-            PairLinks links = refiner.take_links();
-            if (!links.links.empty()) by_receiver[i].push_back(std::move(links));
+        // Among few elements one may have most of the links: its pairs run in parallel too.
+        std::vector<Decided> by_sender(n - i - 1);
+        tbb::parallel_for(i + 1, n, [&](std::size_t j) {
+            progress.check();
+            if (!may_see_each_other(i, j)) return;
+            const auto sender = static_cast<std::uint32_t>(j);
+            const PairRecord* earlier = goes_on ? record_of(earlier_ones, sender) : nullptr;
+            if (goes_on && earlier == nullptr) return;
+            by_sender[j - i - 1] = decided(i, j, earlier);
+        });
+        std::vector<PairRecord> kept;
+        for (Decided& pair : by_sender) {
+            cost_by_receiver[i].rays += pair.cost.rays;
+            cost_by_receiver[i].links_judged += pair.cost.links_judged;
+            if (!pair.links.links.empty()) by_receiver[i].push_back(std::move(pair.links));
+            if (records != nullptr && !pair.record.verdicts.empty())
+                kept.push_back(std::move(pair.record));
         }
-        if (records != nullptr) records->by_receiver[i] = std::move(decided);
+        if (records != nullptr) records->by_receiver[i] = std::move(kept);
         progress.say("links", static_cast<double>(++finished) / static_cast<double>(n));
     });
 
