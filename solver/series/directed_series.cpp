@@ -128,22 +128,28 @@ void DirectedEnsemble::add(const std::vector<DirectedLights>& lights, const Prog
     }
     if (!(squares > 0)) return;
     const double least = least_share * squares / count;
-    Fields outgoing;
-    for (std::size_t b = 0; b < lights.size(); ++b) {
-        Eigen::Array<double, Fields::ColsAtCompileTime, 1> scale;
-        for (Eigen::Index lane = 0; lane < scale.size(); ++lane)
-            scale[lane] = 1 / std::max(squares_of(indirect[b], lane), least);
-        const auto weighed = [&scale](const Fields& values, std::size_t k) {
-            return (values.row(static_cast<Eigen::Index>(k)).cast<double>().square().transpose() *
-                    scale)
-                .sum();
-        };
-        for (std::size_t k = 0; k < lights[b].functions.size(); ++k)
-            direct_[lights[b].functions[k]] += weighed(lights[b].values, k);
+    using Scale = Eigen::Array<double, Fields::ColsAtCompileTime, 1>;
+    const auto weighed = [](const Fields& values, std::size_t k, const Scale& scale) {
+        return (values.row(static_cast<Eigen::Index>(k)).cast<double>().square().transpose() *
+                scale)
+            .sum();
+    };
+    std::vector<Scale> scales(lights.size());
+    std::vector<Eigen::ArrayXd> outgoing_squares(lights.size());
+    tbb::parallel_for(std::size_t{0}, lights.size(), [&](std::size_t b) {
+        for (Eigen::Index lane = 0; lane < Scale::RowsAtCompileTime; ++lane)
+            scales[b][lane] = 1 / std::max(squares_of(indirect[b], lane), least);
         const DirectedLights incident = sum_of(lights[b], solver_.functions(), indirect[b]);
+        Fields outgoing;
         reflection_.reflect(grey(), incident.functions, incident.values, all_, outgoing);
+        outgoing_squares[b].resize(outgoing_.size());
         for (std::size_t k = 0; k < all_.size(); ++k)
-            outgoing_[all_[k]] += weighed(outgoing, k);
+            outgoing_squares[b][all_[k]] = weighed(outgoing, k, scales[b]);
+    });
+    for (std::size_t b = 0; b < lights.size(); ++b) {
+        for (std::size_t k = 0; k < lights[b].functions.size(); ++k)
+            direct_[lights[b].functions[k]] += weighed(lights[b].values, k, scales[b]);
+        outgoing_ += outgoing_squares[b];
     }
     lights_ += count;
 }

@@ -6,12 +6,11 @@
 #include <tuple>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
 #include "radiance4d/basis/angular_shares.h"
 #include "radiance4d/basis/direction_map.h"
 #include "solver/transport/even_points.h"
 #include "solver/transport/kernel.h"
+#include "solver/transport/largest_first.h"
 
 namespace lightwell {
 
@@ -284,7 +283,7 @@ std::vector<DirectedPair> refine_directions(const std::vector<Element>& elements
                                             const Progress& progress, OracleCost& cost) {
     std::vector<DirectedPair> result(given.size());
     std::vector<OracleCost> costs(given.size());
-    tbb::parallel_for(std::size_t{0}, given.size(), [&](std::size_t p) {
+    const auto refine = [&](std::size_t p) {
         progress.check();
         const PairLinks& pair = given[p];
         if (!is_directed(elements[pair.receiver]) && !is_directed(elements[pair.sender])) {
@@ -300,7 +299,9 @@ std::vector<DirectedPair> refine_directions(const std::vector<Element>& elements
                              link.sampled);
         costs[p] = directions.cost();
         result[p] = directions.take();
-    });
+    };
+    for_each_largest_first(
+        given.size(), [&given](std::size_t p) { return given[p].links.size(); }, refine);
     for (const OracleCost& one : costs) {
         cost.rays += one.rays;
         cost.links_judged += one.links_judged;

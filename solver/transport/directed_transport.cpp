@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
 #include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/failure.h"
+#include "solver/transport/largest_first.h"
 #include "solver/transport/sparse_analysis.h"
 
 namespace lightwell {
@@ -161,10 +160,12 @@ std::vector<Coefficient> directed_transport(const RadianceSpace& space,
                                             const std::vector<DirectedPair>& pairs,
                                             const Progress& progress) {
     std::vector<std::vector<Coefficient>> blocks(pairs.size());
-    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t p) {
-        progress.check();
-        blocks[p] = pair_block(space, pairs[p]);
-    });
+    for_each_largest_first(
+        pairs.size(), [&pairs](std::size_t p) { return pairs[p].links.size(); },
+        [&](std::size_t p) {
+            progress.check();
+            blocks[p] = pair_block(space, pairs[p]);
+        });
     return joined(std::move(blocks), space.functions());
 }
 
