@@ -90,8 +90,7 @@ class TransformedEntries {
         const int width = packing_.width(axis);
         const std::uint64_t along = (std::uint64_t{1} << width) - 1;
         SparseAnalysis analyse(basis);
-        std::vector<Entry> result;
-        result.reserve(entries_.size());
+        transformed_.clear();
         std::vector<SparseValue> cells;
         for (std::size_t first = 0; first < entries_.size();) {
             const std::uint64_t others = entries_[first].key >> width;
@@ -100,9 +99,9 @@ class TransformedEntries {
                 cells.push_back({static_cast<std::uint32_t>(entries_[first].key & along),
                                  entries_[first].value});
             for (const SparseValue& coefficient : analyse(cells))
-                result.push_back({others << width | coefficient.index, coefficient.value});
+                transformed_.push_back({others << width | coefficient.index, coefficient.value});
         }
-        entries_ = std::move(result);
+        std::swap(entries_, transformed_);
     }
 
     const std::vector<Entry>& entries() const { return entries_; }
@@ -113,7 +112,7 @@ class TransformedEntries {
   private:
     const PackedNumbers& packing_;
     Axis last_ = Axis::sender_angle;
-    std::vector<Entry> entries_;
+    std::vector<Entry> entries_, transformed_;  // the latter for the memory that it holds
 };
 
 /// The block of P between two elements.
