@@ -12,6 +12,9 @@ struct Coefficient {
     float value = 0;
 };
 
+/// Coefficients smaller than this share of the largest of their pair of elements are rounding.
+constexpr double rounding_share = 1e-14;
+
 /// The coefficients of all blocks, ordered by column, then row. Each place may occur once.
 ///
 /// @param columns  of the operator; every column is below this

@@ -13,9 +13,6 @@ namespace lightwell {
 
 namespace {
 
-/// Coefficients smaller than this share of the largest of their pair are rounding.
-constexpr double rounding_share = 1e-14;
-
 /// A coefficient half way: receiver still by cell, sender by basis function.
 struct HalfTransformed {
     std::uint32_t sender_function = 0;

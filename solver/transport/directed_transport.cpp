@@ -15,9 +15,6 @@ namespace lightwell {
 
 namespace {
 
-/// Coefficients smaller than this share of the largest of their pair are rounding.
-constexpr double rounding_share = 1e-14;
-
 /// The sub-domains of a link, as axes: by cells (CellTree::position) before they are transformed,
 /// by functions after.
 enum class Axis : std::size_t { receiver_space, receiver_angle, sender_space, sender_angle };
