@@ -82,9 +82,17 @@ double cells_of(const std::vector<Element>& elements) {
 }
 
 /// The elements refined as far as the settings allow.
-std::vector<Element> with_cells(std::vector<Element> elements, const Settings& settings) {
+std::vector<Element> with_cells(const Ground& ground, const Settings& settings) {
     constexpr int most_levels = 9;
+    constexpr double most_for_gaps = 4;  // times as many cells as without
+    std::vector<Element> elements = ground.elements;
     set_cells(elements, settings.cell_size, most_levels);
+    const double cells = cells_of(elements);
+    for (double finest = settings.gap_cell_size; finest < settings.cell_size; finest *= 2) {
+        std::vector<Element> refined = elements;
+        set_gap_cells(ground.gaps, settings.cell_size, finest, most_levels, refined);
+        if (cells_of(refined) <= most_for_gaps * cells) return refined;
+    }
     return elements;
 }
 
@@ -101,8 +109,8 @@ TrialLights projected_trials(const RadianceSpace& space, const Ground& ground,
 
 }  // namespace
 
-double cells_at(const std::vector<Element>& elements, const Settings& settings) {
-    return cells_of(with_cells(elements, settings));
+double cells_at(const Ground& ground, const Settings& settings) {
+    return cells_of(with_cells(ground, settings));
 }
 
 double memory_for(double cells, double truncation) {
@@ -128,7 +136,7 @@ GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& 
                                  const Settings& settings, const Progress& progress,
                                  EarlierWork& earlier, OracleCost& cost, StageClock& clock,
                                  PrecomputeReport& report) {
-    std::vector<Element> elements = with_cells(ground.elements, settings);
+    std::vector<Element> elements = with_cells(ground, settings);
     report.blind_sides = ground.blind_sides;
     const double cells = cells_of(elements);
     require_memory(cells, memory_for(cells, settings.truncation), memory_for(cells, 1),
@@ -137,12 +145,10 @@ GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& 
     clock.lap("elements");
 
     // 2. Links, as far as the oracle refines them.
-    double area = 0;
-    for (const Element& element : elements)
-        area += element.area();
     const std::unique_ptr<Oracle> oracle =
-        make_oracle(options, settings, ground.quads, ground.visibility, area);
-    if (earlier.cell_size != settings.cell_size) earlier = {settings.cell_size, {}};
+        make_oracle(options, settings, ground.quads, ground.visibility, ground.area);
+    if (earlier.cell_size != settings.cell_size || earlier.gap_cell_size != settings.gap_cell_size)
+        earlier = {settings.cell_size, settings.gap_cell_size, {}};
     const bool goes_on = options.oracle == OracleKind::geometric && options.most_attempts > 1;
     OracleCost links_cost;
     std::vector<PairLinks> pairs =

@@ -15,7 +15,7 @@
 namespace lightwell {
 
 /// The finest cells of all elements at given settings.
-double cells_at(const std::vector<Element>& elements, const Settings& settings);
+double cells_at(const Ground& ground, const Settings& settings);
 
 /// Memory [bytes] that the operators of so many cells take to compute, about; without truncation
 /// they are dense.

@@ -6,7 +6,8 @@ namespace lightwell {
 
 /// What computing an operator leaves behind for a tighter one of the same scene.
 struct EarlierWork {
-    double cell_size = 0;  ///< of the cells that the links are between [m]; 0: there are none
+    /// Of the cells that the links are between [m] (see Settings); 0: there are none.
+    double cell_size = 0, gap_cell_size = 0;
     LinkRecords links;
 };
 

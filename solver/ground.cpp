@@ -26,6 +26,11 @@ Ground::Ground(const Scene& the_scene, OracleCost& cost)
     for (const SideSurvey& side : sides)
         closed.push_back(side.escaped == 0);
     distance = typical_distance(elements, sides);
+    for (const Element& element : elements)
+        area += element.area();
+    // No error asks for wider cells than this share of the distance.
+    constexpr double widest_cells = 0.2;
+    gaps = gaps_between(elements, widest_cells * distance);
 }
 
 }  // namespace lightwell

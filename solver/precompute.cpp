@@ -82,7 +82,11 @@ struct Pipeline {
 };
 
 Settings diffuse_settings(const PrecomputeOptions& options, const Ground& ground) {
-    return settings_for(options, ground.distance, ground.elements.size());
+    Settings settings = settings_for(options, ground.distance, ground.elements.size());
+    if (!options.cell_size)
+        settings.gap_cell_size =
+            gap_cell_size(ground.gaps, settings.cell_size, ground.area, options.error);
+    return settings;
 }
 
 void tighten_diffuse(const Ground& /*ground*/, const PrecomputeOptions& options, double missed,
@@ -96,7 +100,7 @@ void tighten_diffuse_cells(const Ground& /*ground*/, const PrecomputeOptions& op
 }
 
 double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const Settings& settings) {
-    return cells_at(ground.elements, settings);
+    return cells_at(ground, settings);
 }
 
 double diffuse_memory(const Ground&, double functions, double truncation) {

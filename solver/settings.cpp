@@ -50,7 +50,10 @@ void tighten_cells(const PrecomputeOptions& options, double missed, Settings& se
     // In rooms with few things the rest is the larger part: five of ten rooms furnished at random
     // lost a tenth to a third of their error with cells 0.7 times as wide, the others next to
     // nothing.
-    if (!options.cell_size) settings.cell_size *= std::clamp(0.9 / missed, 0.5, 0.7);
+    if (options.cell_size) return;
+    const double factor = std::clamp(0.9 / missed, 0.5, 0.7);
+    settings.cell_size *= factor;
+    settings.gap_cell_size *= factor;
 }
 
 std::unique_ptr<Oracle> make_oracle(const PrecomputeOptions& options, const Settings& settings,
