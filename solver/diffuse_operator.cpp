@@ -145,8 +145,11 @@ GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& 
     clock.lap("elements");
 
     // 2. Links, as far as the oracle refines them.
+    double area = 0;
+    for (const Element& element : elements)
+        area += element.area();
     const std::unique_ptr<Oracle> oracle =
-        make_oracle(options, settings, ground.quads, ground.visibility, ground.area);
+        make_oracle(options, settings, ground.quads, ground.visibility, area);
     if (earlier.cell_size != settings.cell_size || earlier.gap_cell_size != settings.gap_cell_size)
         earlier = {settings.cell_size, settings.gap_cell_size, {}};
     const bool goes_on = options.oracle == OracleKind::geometric && options.most_attempts > 1;

@@ -27,7 +27,7 @@ struct Ground {
     std::vector<Element> elements;  ///< sides that see something and lie in no solid; not refined
     std::vector<bool> closed;       ///< by element: nothing escapes from it
     double distance = 0;            ///< that light typically travels [m]
-    double area = 0;                ///< of all elements [m2]
+    double area = 0;                ///< of all elements, what is buried of them included [m2]
     std::vector<Gap> gaps;          ///< between elements, as low as cells may be wide
     /// Places in rooms, each group independent of the others: where lights are expected, where
     /// left-out coefficients are tried, and where the result is judged, from the first on as many
