@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/precompute.h"
 #include "solver/transport/elements.h"
+#include "tests/unit/radiance4d/rooms.h"
 
 namespace lightwell {
 namespace {
@@ -104,6 +106,39 @@ TEST(Gaps, AreGivenFinerCells) {
     EXPECT_EQ(refined_to(0.1)[0].functions(), 64U * 32);
     EXPECT_EQ(refined_to(0.3)[0].functions(), plain[0].functions());
     EXPECT_EQ(refined_to(0.3)[1].functions(), plain[1].functions());
+}
+
+/// How many times as many cells a ceiling has because a panel hangs 2 cm below it, of an operator
+/// that is not judged.
+double cells_for_gap(const PrecomputeOptions& options) {
+    const auto ceiling_cells = [&options](bool with_panel) {
+        Scene scene;
+        Material grey;
+        grey.reflectance = Rgb::Constant(0.5);
+        scene.materials.push_back(grey);
+        for (const Quad& wall : box_walls({0, 0, 0}, {2, 2, 2}))
+            scene.quads.push_back({wall, 0});
+        if (with_panel) scene.quads.push_back({level_rectangle(0.7, 1.3, 0.7, 1.3, 1.98), 0});
+        PrecomputeReport report;
+        const GlobalTransport transport = precompute(scene, options, {}, report);
+        constexpr int ceiling = 5;
+        return transport.space
+            .element(static_cast<std::size_t>(transport.space.element_on(ceiling, true)))
+            .functions();
+    };
+    return static_cast<double>(ceiling_cells(true)) / ceiling_cells(false);
+}
+
+// No more than needed: at a large error the gap does not show, and a size set by hand is meant.
+TEST(Gaps, CostNothingWhereTheErrorAllowsThem) {
+    PrecomputeOptions options;
+    options.most_attempts = 0;
+    options.error = 0.2;
+    EXPECT_EQ(cells_for_gap(options), 1);
+    options.error = 0.03;
+    EXPECT_GE(cells_for_gap(options), 4);
+    options.cell_size = 0.2;
+    EXPECT_EQ(cells_for_gap(options), 1);
 }
 
 }  // namespace
