@@ -25,9 +25,9 @@ std::vector<Coefficient> joined(std::vector<std::vector<Coefficient>> blocks,
         column = start[start.size() - 2];
     }
 
-    // No two coefficients share row and column: sorting undoes the order in which they came. They
-    // come as a few interleaved runs that are sorted already, which take a sort by merging half the
-    // time of std::sort, and at their worst a tenth.
+    // No two coefficients share row and column: sorting undoes the order in which they came. As
+    // interleaved runs that are sorted already they made std::sort fall back to heaps, for 2.3 s in
+    // scenes/glossy; merging does not mind.
     std::vector<Coefficient> all(start.back());
     for_each_block([&](std::vector<Coefficient>& block) {
         for (const Coefficient& c : block)
