@@ -90,7 +90,7 @@ double coarsest_lobe(const Ground& ground, const AngularResolution& angle) {
             glossy.insert(ground.scene.material_number(element.quad));
     double coarsest = 0;
     for (const std::size_t material : glossy) {
-        const AngularReflection lobe(ground.scene.materials[material].lobe, angle);
+        const AngularReflection lobe(ground.lobes[material], angle);
         if (lobe.level() < angle.most_levels) coarsest = std::max(coarsest, lobe.error());
     }
     return coarsest;
@@ -193,7 +193,7 @@ GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& o
     GlobalTransport transport;
     transport.scene = ground.scene;
     transport.space = std::move(bounce.space);
-    transport.reflection = Reflection(transport.scene, transport.space);
+    transport.reflection = Reflection(transport.scene, transport.space, ground.lobes);
     const auto n = static_cast<Eigen::Index>(transport.space.functions());
     constexpr double rough_share = 0.1;
     const double size = hilbert_schmidt_norm(bounce.coefficients);

@@ -1,6 +1,7 @@
 #include "solver/ground.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "radiance4d/scene/scene_quads.h"
 #include "solver/reference/random_lights.h"
@@ -9,8 +10,12 @@
 
 namespace lightwell {
 
-Ground::Ground(const Scene& the_scene, OracleCost& cost)
-    : scene(the_scene), quads(quads_of(the_scene)), visibility(quads), occluders(quads) {
+Ground::Ground(const Scene& the_scene, OracleCost& cost, SceneLobes known)
+    : scene(the_scene),
+      lobes(known.empty() ? lobes_of(the_scene.materials) : std::move(known)),
+      quads(quads_of(the_scene)),
+      visibility(quads),
+      occluders(quads) {
     constexpr int survey_rays = 256;
     constexpr int least_expected = 48, most_expected = 400, elements_a_light = 8;
     constexpr int trials = 16, judged = 128;

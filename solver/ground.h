@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "radiance4d/basis/angular_reflection.h"
 #include "radiance4d/basis/radiance_space.h"
 #include "radiance4d/scene/occluder_tree.h"
 #include "radiance4d/scene/scene.h"
@@ -17,10 +18,12 @@ namespace lightwell {
 struct Ground {
     /// Surveys the scene, which must outlive the object.
     ///
-    /// @param cost  receives the rays
-    Ground(const Scene& scene, OracleCost& cost);
+    /// @param cost   receives the rays
+    /// @param lobes  of the scene, as far as they are computed already; empty: none is
+    Ground(const Scene& scene, OracleCost& cost, SceneLobes lobes = {});
 
     const Scene& scene;
+    SceneLobes lobes;  ///< by material
     std::vector<Quad> quads;
     Visibility visibility;
     OccluderTree occluders;

@@ -294,7 +294,7 @@ GlobalTransport precompute_alike(const Scene& scene, const Pipeline& pipeline,
     StageClock clock(report.seconds);
     OracleCost cost;
     // 1. Elements: sides that can see something, and what they see.
-    const Ground ground(scene, cost);
+    const Ground ground(scene, cost, options.lobes);
     report.inside_of_solids = ground.inside_of_solids;
     clock.lap("elements");
 

@@ -35,6 +35,8 @@ struct PrecomputeOptions {
     /// How an earlier operator of the scene came to be: where it missed its error, this one starts
     /// tighter.
     std::optional<Provenance> earlier;
+    /// Lobes of the scene, by material, as far as they are computed already; empty: none is.
+    SceneLobes lobes;
     /// Whether glossy materials are computed as diffuse ones of equal mean albedo.
     bool diffuse = false;
 };

@@ -27,15 +27,17 @@ double lobe_share(const Material& material) {
 /// Gives the sides of glossy materials their angular cells.
 ///
 /// @return how much finer directions matter, by element
-std::vector<AngularDetail> set_angles(const Scene& scene, const AngularResolution& resolution,
+std::vector<AngularDetail> set_angles(const Ground& ground, const AngularResolution& resolution,
                                       std::vector<Element>& elements) {
+    const Scene& scene = ground.scene;
     std::vector<AngularDetail> of_material;
-    for (const Material& material : scene.materials) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material& material = scene.materials[m];
         if (!is_glossy(material)) {
             of_material.push_back({0});
             continue;
         }
-        of_material.push_back(angular_detail(AngularReflection(material.lobe, resolution),
+        of_material.push_back(angular_detail(AngularReflection(ground.lobes[m], resolution),
                                              material.reflectance.mean(),
                                              lobe_reflectance(material.lobe).mean()));
     }
@@ -50,10 +52,10 @@ std::vector<AngularDetail> set_angles(const Scene& scene, const AngularResolutio
 }
 
 /// Cells and directions of all elements. @return detail by element
-std::vector<AngularDetail> set_cells_and_angles(const Scene& scene,
+std::vector<AngularDetail> set_cells_and_angles(const Ground& ground,
                                                 const RadianceBounceOptions& options,
                                                 std::vector<Element>& elements) {
-    std::vector<AngularDetail> detail = set_angles(scene, options.angle, elements);
+    std::vector<AngularDetail> detail = set_angles(ground, options.angle, elements);
     for (Element& element : elements) {
         const double finer = element.angle.levels() > 0 ? options.finer_gloss : 1;
         set_cells(element, options.cell_size / finer, most_space_levels);
@@ -78,15 +80,16 @@ double followed_error(double error) {
     return 1.1 * std::sqrt(error);
 }
 
-std::vector<AngularNeed> angular_needs(const Scene& scene, double error) {
+std::vector<AngularNeed> angular_needs(const Scene& scene, const SceneLobes& lobes, double error) {
     const AngularResolution given = angular_resolution(error);
     std::vector<AngularNeed> needs;
-    for (const Material& material : scene.materials) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material& material = scene.materials[m];
         if (!is_glossy(material)) continue;
         const double share = lobe_share(material);
         AngularResolution finest = given;
         finest.tolerance = std::min(given.tolerance, followed_error(error) / share);
-        const AngularReflection reflection(material.lobe, finest);
+        const AngularReflection reflection(lobes[m], finest);
         const std::vector<double>& errors = reflection.error_by_level();
         AngularNeed need;
         need.material = material.name;
@@ -103,7 +106,7 @@ std::vector<AngularNeed> angular_needs(const Scene& scene, double error) {
 
 double directed_functions(const Ground& ground, const RadianceBounceOptions& options) {
     std::vector<Element> elements = ground.elements;
-    set_cells_and_angles(ground.scene, options, elements);
+    set_cells_and_angles(ground, options, elements);
     double functions = 0;
     for (const Element& element : elements)
         functions += element.functions();
@@ -114,7 +117,7 @@ DirectedBounce directed_bounce(const Ground& ground, const RadianceBounceOptions
                                const Progress& progress, OracleCost& cost) {
     // 1. Elements, their cells in space and direction, and what of them is open.
     std::vector<Element> elements = ground.elements;
-    const std::vector<AngularDetail> detail = set_cells_and_angles(ground.scene, options, elements);
+    const std::vector<AngularDetail> detail = set_cells_and_angles(ground, options, elements);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     double area = 0;
     for (const Element& element : elements)

@@ -46,8 +46,9 @@ struct AngularNeed {
 double followed_error(double error);
 
 /// The needs of the glossy materials of a scene, known before anything else is computed.
+/// @param lobes of the scene; receives the levels that were looked at
 /// @param error asked for of indirect light; > 0
-std::vector<AngularNeed> angular_needs(const Scene& scene, double error);
+std::vector<AngularNeed> angular_needs(const Scene& scene, const SceneLobes& lobes, double error);
 
 /// Basis functions that the sides get, in space and direction.
 double directed_functions(const Ground& ground, const RadianceBounceOptions& options);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include <tbb/collaborative_call_once.h>
 #include <tbb/parallel_for.h>
 
 #include "radiance4d/basis/direction_map.h"
@@ -15,6 +18,7 @@ namespace lightwell {
 
 namespace {
 
+constexpr int finest_level = 5;
 /// Levels below the finest cells to which the integration goes at most.
 constexpr int levels_below = 2;
 /// Pairs of cells are cut in any case down to this level: no lobe of interest slips through.
@@ -190,37 +194,91 @@ HaarBasis angular_basis(int levels) {
     return {square, square_tree(levels)};
 }
 
-AngularReflection::AngularReflection(const Lobe& lobe, const AngularResolution& resolution) {
-    const bool none = std::holds_alternative<NoLobe>(lobe);
-    represent(lobe, none ? 0 : resolution.least_levels, resolution.most_levels,
-              resolution.tolerance);
+struct LobeLevels::Level {
+    tbb::collaborative_once_flag once;
+    RowMatrix matrix;
+    double error = 0;
+};
+
+struct LobeLevels::Kept {
+    explicit Kept(const Lobe& of) : lobe(of) {}
+
+    void represent(int number) {
+        Level& level = levels[static_cast<std::size_t>(number)];
+        const Eigen::Index functions = Eigen::Index{1} << (2 * number);
+        if (std::holds_alternative<NoLobe>(lobe)) {
+            level.matrix = RowMatrix::Zero(functions, functions);
+            return;
+        }
+        tbb::collaborative_call_once(tables_once, [this] {
+            square = kernel_square(lobe);
+            albedo.emplace(lobe);
+        });
+        RowMatrix mean = KernelIntegral(lobe, number).mean();
+        reflect_in_all(albedo_of_cells(*albedo, number), mean);
+        level.matrix = transformed(mean / static_cast<double>(functions), number);
+        level.error = std::sqrt(std::max(0.0, 1 - level.matrix.squaredNorm() / square));
+    }
+
+    const Lobe lobe;
+    std::array<Level, finest_level + 1> levels;
+    tbb::collaborative_once_flag tables_once;  // of what all levels need
+    double square = 0;
+    std::optional<AlbedoTable> albedo;
+};
+
+LobeLevels::LobeLevels(const Lobe& lobe) : kept_(std::make_shared<Kept>(lobe)) {}
+
+const LobeLevels::Level& LobeLevels::at(int level) const {
+    LIGHTWELL_CHECK_OP(level, >=, 0);
+    LIGHTWELL_CHECK_OP(level, <=, finest_level);
+    Level& result = kept_->levels[static_cast<std::size_t>(level)];
+    tbb::collaborative_call_once(result.once, [&] { kept_->represent(level); });
+    return result;
 }
+
+const Lobe& LobeLevels::lobe() const {
+    return kept_->lobe;
+}
+
+const RowMatrix& LobeLevels::matrix(int level) const {
+    return at(level).matrix;
+}
+
+double LobeLevels::error(int level) const {
+    return at(level).error;
+}
+
+SceneLobes lobes_of(const std::vector<Material>& materials) {
+    SceneLobes lobes;
+    for (const Material& material : materials)
+        lobes.emplace_back(material.lobe);
+    return lobes;
+}
+
+AngularReflection::AngularReflection(LobeLevels lobe, int first, int last, double tolerance)
+    : lobe_(std::move(lobe)), level_(first) {
+    if (std::holds_alternative<NoLobe>(lobe_.lobe())) return;
+    error_by_level_ = {lobe_.error(level_)};
+    while (error_by_level_.back() > tolerance && level_ < last)
+        error_by_level_.push_back(lobe_.error(++level_));
+    follows_ = error_by_level_.back() <= tolerance;
+}
+
+AngularReflection::AngularReflection(const Lobe& lobe, const AngularResolution& resolution)
+    : AngularReflection(LobeLevels(lobe), resolution) {}
+
+AngularReflection::AngularReflection(const LobeLevels& lobe, const AngularResolution& resolution)
+    : AngularReflection(lobe,
+                        std::holds_alternative<NoLobe>(lobe.lobe()) ? 0 : resolution.least_levels,
+                        resolution.most_levels, resolution.tolerance) {}
 
 AngularReflection AngularReflection::at_level(const Lobe& lobe, int level) {
-    AngularReflection reflection;
-    reflection.represent(lobe, level, level, AngularResolution{}.tolerance);
-    return reflection;
+    return at_level(LobeLevels(lobe), level);
 }
 
-void AngularReflection::represent(const Lobe& lobe, int first, int last, double tolerance) {
-    LIGHTWELL_CHECK_OP(first, >=, 0);
-    LIGHTWELL_CHECK_OP(last, <=, 5);
-    if (std::holds_alternative<NoLobe>(lobe)) {
-        level_ = first;
-        matrix_ = RowMatrix::Zero(Eigen::Index{1} << (2 * first), Eigen::Index{1} << (2 * first));
-        return;
-    }
-    const double square = kernel_square(lobe);
-    const AlbedoTable albedo(lobe);
-    error_by_level_.clear();
-    for (level_ = first; level_ <= last; ++level_) {
-        RowMatrix mean = KernelIntegral(lobe, level_).mean();
-        reflect_in_all(albedo_of_cells(albedo, level_), mean);
-        matrix_ = transformed(mean / static_cast<double>(mean.rows()), level_);
-        error_by_level_.push_back(std::sqrt(std::max(0.0, 1 - matrix_.squaredNorm() / square)));
-        follows_ = error_by_level_.back() <= tolerance;
-        if (follows_ || level_ == last) break;
-    }
+AngularReflection AngularReflection::at_level(const LobeLevels& lobe, int level) {
+    return {lobe, level, level, AngularResolution{}.tolerance};
 }
 
 }  // namespace lightwell

@@ -13,8 +13,9 @@
 
 namespace lightwell {
 
-Reflection::Reflection(const Scene& scene, const RadianceSpace& space)
+Reflection::Reflection(const Scene& scene, const RadianceSpace& space, const SceneLobes& lobes)
     : functions_(space.functions()) {
+    const SceneLobes levels = lobes.empty() ? lobes_of(scene.materials) : lobes;
     const std::vector<Rgb> means = mean_albedos(scene.materials);
     std::map<std::pair<std::size_t, int>, int> known;  // material and level -> lobe
     for (const Element& element : space.elements()) {
@@ -31,7 +32,7 @@ Reflection::Reflection(const Scene& scene, const RadianceSpace& space)
             const auto [entry, is_new] =
                 known.try_emplace({material, level}, static_cast<int>(lobes_.size()));
             if (is_new) {
-                lobes_.push_back(AngularReflection::at_level(what.lobe, level));
+                lobes_.push_back(AngularReflection::at_level(levels[material], level));
                 responses_.emplace_back(lobes_.back().matrix().transpose().cast<float>());
             }
             made.diffuse = what.reflectance;

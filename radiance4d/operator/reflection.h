@@ -21,8 +21,8 @@ class Reflection {
   public:
     /// Of no element.
     Reflection() = default;
-    /// Computes the representation of each lobe once per angular level that it is used at.
-    Reflection(const Scene& scene, const RadianceSpace& space);
+    /// @param lobes  of the scene, as far as they are computed already; empty: none is
+    Reflection(const Scene& scene, const RadianceSpace& space, const SceneLobes& lobes = {});
 
     /// Eight fields of one channel side by side: one row per basis function of a list.
     using Fields = Eigen::Array<float, Eigen::Dynamic, 8, Eigen::RowMajor>;

@@ -88,7 +88,7 @@ void run(benchmark::State& state, double exponent, Findings& findings) {
         global += one.coefficients();
     const std::uint64_t bounce = transport.bounce.coefficients();
     const std::uint64_t links = transport.provenance.links;
-    const AngularNeed need = angular_needs(scene, error_asked).front();
+    const AngularNeed need = angular_needs(scene, lobes_of(scene.materials), error_asked).front();
     const Material& floor = scene.materials[floor_z0];
     const double specular = lobe_reflectance(floor.lobe).mean();
     const double finest = AngularReflection::at_level(floor.lobe, 5).error() * specular /

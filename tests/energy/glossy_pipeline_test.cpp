@@ -169,11 +169,15 @@ TEST_P(GlossyPipeline, GivesTheIrradianceThatPathsGive) {
     EXPECT_LT(error_of(seen_stored), 0.1);
 }
 
+std::vector<AngularNeed> needs_of(const Scene& scene, double error) {
+    return angular_needs(scene, lobes_of(scene.materials), error);
+}
+
 // Broad ones, too, however little their directions change the light of others.
 TEST(GlossyEstimate, GivesEveryLobeDirections) {
     for (const double error : {0.02, 0.05, 0.3})
         for (const Lobe& lobe : {phong(1), ggx(1)})
-            EXPECT_GE(angular_needs(box_with_floor(lobe, 0.1), error).front().level, 2) << error;
+            EXPECT_GE(needs_of(box_with_floor(lobe, 0.1), error).front().level, 2) << error;
 }
 
 // As judged runs of scenes/glossy came out, whose floor is this one: 1000 ended at 12.6 % where 20
@@ -181,7 +185,7 @@ TEST(GlossyEstimate, GivesEveryLobeDirections) {
 TEST(GlossyNeeds, NameTheLobesThatTheFinestDirectionsCannotFollow) {
     const auto follows = [](double exponent, double error) {
         Scene scene = box_with_floor(PhongLobe{Rgb::Constant(0.6), exponent}, 0.1);
-        return angular_needs(scene, error).front().follows;
+        return needs_of(scene, error).front().follows;
     };
     EXPECT_TRUE(follows(1000, 0.2));
     EXPECT_FALSE(follows(2000, 0.2));
@@ -193,16 +197,16 @@ TEST(GlossyNeeds, NameTheLobesThatTheFinestDirectionsCannotFollow) {
 // A varnish, however sharp, on what reflects evenly: its share of the light is all that is off.
 TEST(GlossyNeeds, CountTheLobesShareOfTheLight) {
     const Lobe varnish = PhongLobe{Rgb::Constant(0.05), 2000};
-    const AngularNeed alone = angular_needs(box_with_floor(varnish, 0), 0.1).front();
+    const AngularNeed alone = needs_of(box_with_floor(varnish, 0), 0.1).front();
     EXPECT_FALSE(alone.follows);
     EXPECT_NEAR(alone.finest_error, AngularReflection::at_level(varnish, 5).error(), 1e-12);
-    EXPECT_TRUE(angular_needs(box_with_floor(varnish, 0.75), 0.1).front().follows);
+    EXPECT_TRUE(needs_of(box_with_floor(varnish, 0.75), 0.1).front().follows);
 }
 
 // What is tried beyond them to see whether it follows is not what the sides get.
 TEST(GlossyNeeds, AreTheLevelsThatSidesGet) {
     for (const double exponent : {5.0, 100.0, 2000.0}) {
-        const AngularNeed need = angular_needs(box_with_floor(phong(exponent), 0.1), 0.1).front();
+        const AngularNeed need = needs_of(box_with_floor(phong(exponent), 0.1), 0.1).front();
         const AngularReflection given(phong(exponent), angular_resolution(0.1));
         EXPECT_EQ(need.level, given.level()) << exponent;
         EXPECT_NEAR(need.error, given.error(), 1e-12) << exponent;

@@ -46,7 +46,7 @@ auto timed(std::map<std::string, double>& seconds, const std::string& stage, con
 /// Says which lobes are narrower than their representation can follow at the error asked for.
 void warn_of_gloss(const Scene& scene, const PrecomputeOptions& options) {
     if (options.diffuse) return;
-    for (const AngularNeed& need : angular_needs(scene, options.error))
+    for (const AngularNeed& need : angular_needs(scene, options.lobes, options.error))
         if (!need.follows)
             print_message(fmt::format(
                 "warning: {}: its reflections are too sharp for --error {:.3g}: with the finest "
@@ -145,6 +145,7 @@ void run_precompute(PrecomputeRequest request) {
         return;
     }
     if (!request.resumed.empty()) require_writable(request.output);
+    request.options.lobes = lobes_of(scene.materials);
     warn_of_gloss(scene, request.options);
     if (!request.quiet) warn_of_brightness(scene);
     if (!request.quiet && request.options.truncation == 0.0)

@@ -1,11 +1,14 @@
 #include "radiance4d/basis/angular_reflection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include "radiance4d/basis/direction_map.h"
+#include "radiance4d/failure.h"
 #include "radiance4d/scene/brdf.h"
 
 namespace lightwell {
@@ -175,6 +178,31 @@ TEST(AngularReflection, HasTheLevelsThatItShallHaveAtLeast) {
     EXPECT_EQ(AngularReflection(ggx(1), two).level(), 2);
     EXPECT_EQ(AngularReflection(phong(1), two).level(), 2);
     EXPECT_EQ(AngularReflection(Lobe(NoLobe{}), two).level(), 0);
+}
+
+// What shares a lobe's levels gets the matrices themselves, whoever asked first.
+TEST(LobeLevels, AreComputedOnceForAll) {
+    const LobeLevels levels(phong(20));
+    const LobeLevels copy = levels;
+    std::array<const RowMatrix*, 8> seen{};
+    tbb::parallel_for(std::size_t{0}, seen.size(),
+                      [&](std::size_t k) { seen[k] = &(k % 2 == 0 ? levels : copy).matrix(3); });
+    for (const RowMatrix* one : seen)
+        EXPECT_EQ(one, seen[0]);
+    const AngularReflection chosen(copy, {0.05, 4}), given = AngularReflection::at_level(copy, 3);
+    EXPECT_EQ(&given.matrix(), seen[0]);
+    EXPECT_EQ(chosen.error(), levels.error(chosen.level()));
+    const AngularReflection alone(phong(20), {0.05, 4});
+    EXPECT_EQ(alone.level(), chosen.level());
+    EXPECT_EQ(alone.matrix(), chosen.matrix());
+}
+
+TEST(LobeLevels, GoFromNoneToFive) {
+    const LobeLevels none{NoLobe{}};
+    EXPECT_EQ(none.matrix(1), RowMatrix::Zero(4, 4));
+    EXPECT_EQ(none.error(1), 0);
+    EXPECT_THROW(none.matrix(-1), BrokenInvariant);
+    EXPECT_THROW(none.matrix(6), BrokenInvariant);
 }
 
 TEST(AngularReflection, OfNoLobeReflectsNothing) {
