@@ -74,14 +74,10 @@ RadianceField Reflection::outgoing(const RadianceField& incident) const {
     return result;
 }
 
-double Reflection::between(const OfElement& element, const Rgb& shares, Eigen::Index a,
-                           Eigen::Index b) const {
-    double value = 0;
-    if (element.lobe >= 0)
-        value = (shares * element.specular).sum() *
-                lobes_[static_cast<std::size_t>(element.lobe)].matrix()(a, b);
-    if (a == 0 && b == 0) value += (shares * element.diffuse).sum();
-    return value;
+Reflection::BetweenAngles Reflection::between_angles(const OfElement& element,
+                                                     const Rgb& shares) const {
+    return {(shares * element.diffuse).sum(), (shares * element.specular).sum(),
+            element.lobe < 0 ? nullptr : &lobes_[static_cast<std::size_t>(element.lobe)].matrix()};
 }
 
 void Reflection::reflect(const Rgb& shares, const Functions& from, const Fields& incident,
@@ -133,17 +129,19 @@ Eigen::SparseMatrix<double> Reflection::matrix(const Rgb& shares, double smalles
     LIGHTWELL_CHECK_OP(leaving.size(), ==, std::size_t{functions_});
     // Light stays in its spatial function, so that each of these has columns of its own.
     const auto for_each_coefficient = [&](const auto& act) {
-        for (const OfElement& element : of_element_)
+        for (const OfElement& element : of_element_) {
+            const BetweenAngles between = between_angles(element, shares);
             tbb::parallel_for(Eigen::Index{0}, element.cells, [&](Eigen::Index k) {
                 const Eigen::Index first = element.first + k * element.angles;
                 for (Eigen::Index a = 0; a < element.angles; ++a) {
                     if (!leaving[static_cast<std::size_t>(first + a)]) continue;
                     for (Eigen::Index b = 0; b < element.angles; ++b) {
-                        const double value = between(element, shares, a, b);
+                        const double value = between(a, b);
                         if (std::abs(value) > smallest) act(first + a, first + b, value);
                     }
                 }
             });
+        }
     };
     const auto n = static_cast<Eigen::Index>(functions_);
     Matrix result(n, n);
@@ -164,10 +162,11 @@ Eigen::ArrayXd Reflection::visibility(const Rgb& shares) const {
     Eigen::ArrayXd result = Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(functions_));
     for (const OfElement& element : of_element_) {
         if (element.lobe < 0) continue;
+        const BetweenAngles between = between_angles(element, shares);
         Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(element.angles);
         for (Eigen::Index a = 0; a < element.angles; ++a)
             for (Eigen::Index b = 0; b < element.angles; ++b)
-                squares[b] += std::pow(between(element, shares, a, b), 2);
+                squares[b] += std::pow(between(a, b), 2);
         if (!(squares[0] > 0)) continue;
         const Eigen::ArrayXd relative = (squares / squares[0]).sqrt().min(1.0);
         for (Eigen::Index k = 0; k < element.cells; ++k)

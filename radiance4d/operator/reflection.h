@@ -58,9 +58,18 @@ class Reflection {
         Rgb specular = Rgb::Zero();
         int lobe = -1;
     };
-    /// R of one channel from angular function `b` of an element to `a`.
-    double between(const OfElement& element, const Rgb& shares, Eigen::Index a,
-                   Eigen::Index b) const;
+    /// R of one channel between the angular functions of an element.
+    struct BetweenAngles {
+        double diffuse = 0, specular = 0;
+        const RowMatrix* lobe = nullptr;  ///< null without one
+
+        /// From function `b` to `a`.
+        double operator()(Eigen::Index a, Eigen::Index b) const {
+            const double directed = lobe != nullptr ? specular * (*lobe)(a, b) : 0;
+            return a == 0 && b == 0 ? directed + diffuse : directed;
+        }
+    };
+    BetweenAngles between_angles(const OfElement& element, const Rgb& shares) const;
 
     /// A lobe in single precision, by where light leaves, then by where it arrives.
     using Response = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
