@@ -18,6 +18,7 @@ namespace lightwell {
 
 namespace {
 
+/// Of the angular square: 4^5 cells.
 constexpr int finest_level = 5;
 /// Levels below the finest cells to which the integration goes at most.
 constexpr int levels_below = 2;
