@@ -11,17 +11,17 @@ namespace lightwell {
 
 /// What follows from the error asked for, where it is not set by hand.
 struct Settings {
-    double cell_size = 0;  ///< largest side of a finest cell [m]
-    /// Largest side that cells in gaps may have even so [m] (see set_gap_cells)
-    double gap_cell_size = std::numeric_limits<double>::infinity();
+    double cell_size = 0;          ///< largest side of a finest cell [m]
     double oracle_tolerance = 0;   ///< see the oracles
     double truncation = 0;         ///< relative error of indirect light from left-out coefficients
     double angular_tolerance = 0;  ///< see AngularResolution; of glossy materials
+    /// As cell_size, in gaps (see set_gap_cells).
+    double gap_cell_size = std::numeric_limits<double>::infinity();
 
     bool operator==(const Settings& other) const {
-        return cell_size == other.cell_size && gap_cell_size == other.gap_cell_size &&
-               oracle_tolerance == other.oracle_tolerance && truncation == other.truncation &&
-               angular_tolerance == other.angular_tolerance;
+        return cell_size == other.cell_size && oracle_tolerance == other.oracle_tolerance &&
+               truncation == other.truncation && angular_tolerance == other.angular_tolerance &&
+               gap_cell_size == other.gap_cell_size;
     }
 };
 
