@@ -1,5 +1,6 @@
 #include "radiance4d/basis/cell_tree.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "radiance4d/failure.h"
@@ -79,6 +80,13 @@ std::uint32_t CellTree::finest_at(std::uint32_t column, std::uint32_t row) const
         index = index * (split == Split::both ? 4 : 2) + digit;
     }
     return index;
+}
+
+std::uint32_t CellTree::finest_around(double u, double v) const {
+    const auto number = [](double at, std::uint32_t cells) {
+        return std::min(static_cast<std::uint32_t>(std::max(0.0, at) * cells), cells - 1);
+    };
+    return finest_at(number(u, columns_), number(v, rows_));
 }
 
 CellTree tree_for_extents(double extent_u, double extent_v, double cell, int most_levels) {

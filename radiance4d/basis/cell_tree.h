@@ -81,6 +81,8 @@ class CellTree {
     std::uint32_t rows() const { return rows_; }
     /// Finest cell in column i (along u) and row j (along v).
     std::uint32_t finest_at(std::uint32_t column, std::uint32_t row) const;
+    /// The finest cell around a point; the nearest one for points outside of the domain.
+    std::uint32_t finest_around(double u, double v) const;
 
     bool operator==(const CellTree& other) const { return splits_ == other.splits_; }
 

@@ -76,12 +76,7 @@ Rgb BrdfProduct::radiance(std::size_t element, std::uint32_t cell, const Vec3& d
 }
 
 Rgb BrdfProduct::radiance(std::size_t element, const Vec2& uv, const Vec3& direction) const {
-    const CellTree& tree = space_.element(element).space.tree();
-    const auto number = [](double at, std::uint32_t cells) {
-        return std::min(static_cast<std::uint32_t>(std::max(0.0, at) * cells), cells - 1);
-    };
-    return radiance(element,
-                    tree.finest_at(number(uv[0], tree.columns()), number(uv[1], tree.rows())),
+    return radiance(element, space_.element(element).space.tree().finest_around(uv[0], uv[1]),
                     direction);
 }
 

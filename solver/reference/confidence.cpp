@@ -36,8 +36,12 @@ Mean mean_of(const std::vector<WeighedValue>& samples) {
     const double variance = squares * count / (count - 1);
     const double quantile = student_quantile(static_cast<int>(samples.size()) - 1);
     mean.half = quantile * std::sqrt(variance);
+    // Johnson's term, twice: a few samples of a heavy tail show about half of its skewness. Over
+    // logarithmic normal errors of spread 0.25 to 0.6, once covers 92 to 95 of 100 with 40 samples
+    // and 89 to 95 with 16, twice 94 to 96 and 91 to 95.
+    constexpr double shown = 0.5;
     if (variance > 0)
-        mean.shift = std::max(0.0, cubes / variance * (2 * quantile * quantile + 1) / 6);
+        mean.shift = std::max(0.0, cubes / (shown * variance) * (2 * quantile * quantile + 1) / 6);
     return mean;
 }
 

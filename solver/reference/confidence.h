@@ -27,8 +27,9 @@ Interval mean_interval(const std::vector<WeighedValue>& samples);
 ///
 /// Squared errors are skewed: most are small, a few are large. Student's t for the logarithm of
 /// their mean (the delta method) covers both ends about evenly; where the mean is not known to half
-/// of itself, the plain interval of the mean. The upper end is raised by what the samples' skewness
-/// makes of Student's t (Johnson 1978): whoever has not drawn the rare large ones must expect them.
+/// of itself, the plain interval of the mean. The upper end is raised by twice what the samples'
+/// skewness makes of Student's t (Johnson 1978): whoever has not drawn the rare large ones must
+/// expect them.
 /// @param squares  at least two, weighed as for mean_interval
 Interval rms_interval(const std::vector<WeighedValue>& squares);
 

@@ -21,15 +21,19 @@ namespace lightwell {
 
 namespace {
 
-/// What a picture shows at a surface point, 0 on sides that take no part.
-Rgb shown(const SurfacePoint& point, const RadianceSpace& space,
-          const std::vector<SmoothSurface>& irradiance, const std::vector<Quad>& quads) {
+/// The element that a surface point lies on, and its parameters there.
+struct PlaceOnElement {
+    int element = -1;  ///< -1: on a side that takes no part
+    Vec2 uv = Vec2::Zero();
+};
+
+PlaceOnElement place_of(const SurfacePoint& point, const RadianceSpace& space,
+                        const std::vector<Quad>& quads) {
     const bool front = point.normal.dot(quads[static_cast<std::size_t>(point.quad)].normal()) > 0;
     const int number = space.element_on(point.quad, front);
-    if (number < 0) return Rgb::Zero();
-    const Element& element = space.element(static_cast<std::size_t>(number));
-    const Vec2 uv = element.geometry.parameters(point.position);
-    return irradiance[static_cast<std::size_t>(number)].at(uv[0], uv[1]);
+    if (number < 0) return {};
+    return {number,
+            space.element(static_cast<std::size_t>(number)).geometry.parameters(point.position)};
 }
 
 double visible_share(const RadianceSpace& space, const Visibility& visibility,
@@ -61,6 +65,23 @@ std::vector<PointLight> white_unit_lamps(const std::vector<Vec3>& positions) {
         lamps.push_back(lamp);
     }
     return lamps;
+}
+
+/// Irradiance of a field at surface points as their cells have it [lx], with steps between them.
+std::vector<Rgb> stepwise_at(const std::vector<SurfacePoint>& points, const RadianceSpace& space,
+                             const RadianceField& field, const std::vector<Quad>& quads) {
+    std::vector<RadianceField> cells(space.elements().size());  // of those that are asked for
+    std::vector<Rgb> values;
+    for (const SurfacePoint& point : points) {
+        const PlaceOnElement place = place_of(point, space, quads);
+        values.push_back(Rgb::Zero());
+        if (place.element < 0) continue;
+        const auto e = static_cast<std::size_t>(place.element);
+        if (cells[e].rows() == 0) cells[e] = cell_irradiance(space, e, field);
+        values.back() =
+            cells[e].row(space.element(e).space.tree().finest_around(place.uv[0], place.uv[1]));
+    }
+    return values;
 }
 
 /// What judging an operator by one light gives.
@@ -153,8 +174,13 @@ std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const Radianc
                           const std::vector<SmoothSurface>& irradiance,
                           const std::vector<Quad>& quads) {
     std::vector<Rgb> values;
-    for (const SurfacePoint& point : points)
-        values.push_back(shown(point, space, irradiance, quads));
+    for (const SurfacePoint& point : points) {
+        const PlaceOnElement place = place_of(point, space, quads);
+        values.push_back(Rgb::Zero());
+        if (place.element < 0) continue;
+        values.back() =
+            irradiance[static_cast<std::size_t>(place.element)].at(place.uv[0], place.uv[1]);
+    }
     return values;
 }
 
@@ -176,9 +202,12 @@ std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
             projected_lights(transport.space, {lamps[k]}, quads, occluders);
         CandidatePoints candidates;
         candidates.points = sample_surface(dark, sides, options.candidates, options.seed + k);
-        candidates.shown = {
-            shown_at(candidates.points, transport.space, pictured(transport, direct), quads),
-            visible_shares(transport.space, visibility, candidates.points)};
+        const RadianceField light = gathered_light(transport, direct);
+        candidates.shown = {shown_at(candidates.points, transport.space,
+                                     smooth_irradiance(transport.space, light), quads),
+                            visible_shares(transport.space, visibility, candidates.points)};
+        // Where steps between cells are high, more can be wrong.
+        candidates.otherwise = stepwise_at(candidates.points, transport.space, light, quads);
         chosen[k] =
             chosen_points(candidates, options.points, RandomStream(options.seed + k).uniform());
     });

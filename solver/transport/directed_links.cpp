@@ -21,14 +21,6 @@ bool is_directed(const Element& element) {
     return element.angle.levels() > 0;
 }
 
-/// The finest cell of a tree around a point of its square.
-std::uint32_t finest_around(const CellTree& tree, const Vec2& at) {
-    const auto number = [](double x, std::uint32_t cells) {
-        return std::min(static_cast<std::uint32_t>(std::max(0.0, x) * cells), cells - 1);
-    };
-    return tree.finest_at(number(at[0], tree.columns()), number(at[1], tree.rows()));
-}
-
 std::uint32_t finest_position(const CellTree& tree, std::uint32_t cell) {
     return tree.position({tree.levels(), cell});
 }
@@ -100,7 +92,8 @@ class RayLinks {
     End end_at(std::uint32_t e, const Vec3& point, const Vec3& direction) const {
         const Element& y = elements_[e];
         const CellTree& space = y.space.tree();
-        return {e, finest_position(space, finest_around(space, y.geometry.parameters(point))),
+        const Vec2 at = y.geometry.parameters(point);
+        return {e, finest_position(space, space.finest_around(at[0], at[1])),
                 angular_shares(y.angle, y.angle.levels(), frame_[e].transpose() * direction)};
     }
 

@@ -60,6 +60,9 @@ TEST(CellTree, FinestCellsFormTheGrid) {
         for (std::uint32_t row = 0; row < tree.rows(); ++row) {
             for (std::uint32_t column = 0; column < tree.columns(); ++column) {
                 const std::uint32_t m = tree.finest_at(column, row);
+                EXPECT_EQ(
+                    tree.finest_around((column + 0.9) / tree.columns(), (row + 0.1) / tree.rows()),
+                    m);
                 ASSERT_LT(m, tree.functions());
                 EXPECT_TRUE(seen.insert(m).second);
                 EXPECT_TRUE(tree.is_finest({tree.levels(), m}));

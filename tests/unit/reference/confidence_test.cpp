@@ -69,6 +69,9 @@ TEST(Confidence, ContainsTheTrueErrorInNinetyThreeOfAHundredRepetitions) {
     EXPECT_GE(covered(40, 0.25, 0), 930);
     EXPECT_GE(covered(40, 0.4, 0.5), 930);
     EXPECT_GE(covered(20, 0.25, 0.2), 930);
+    // Where a few of a hundred lamps make most of the error.
+    EXPECT_GE(covered(40, 0.6, 0), 930);
+    EXPECT_GE(covered(16, 0.5, 0), 930);
     // Nor is it needlessly wide.
     EXPECT_LE(covered(40, 0.25, 0), 975);
 }
