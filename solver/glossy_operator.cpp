@@ -39,16 +39,18 @@ std::vector<DirectedLights> projected(const RadianceSpace& space, const Ground& 
     return lights;
 }
 
-/// How much functions carry for the lights that are expected, in groups of about one size.
+/// How much functions carry for lights in all rooms, in groups of about one size. As many as
+/// diffuse scenes have leave out nothing more in scenes/glossy and 15 % in scenes/gallery, where
+/// they take a sixth of the time: each is propagated.
 DirectedWeights expected_weights(const SymmetricOperator& propagation, const RadianceSpace& space,
                                  const Reflection& reflection, const Ground& ground,
                                  const Progress& progress) {
-    const std::size_t lights = ground.expected.size();
+    const std::size_t lights = ground.in_rooms.size();
     const std::size_t groups = (lights + lights_at_once - 1) / lights_at_once;
     DirectedEnsemble ensemble(propagation, space, reflection);
     for (std::size_t g = 0; g < groups; ++g) {
         const auto place = [&](std::size_t group) {
-            return ground.expected.begin() + static_cast<std::ptrdiff_t>(group * lights / groups);
+            return ground.in_rooms.begin() + static_cast<std::ptrdiff_t>(group * lights / groups);
         };
         ensemble.add(projected(space, ground, {place(g), place(g + 1)}, progress), progress);
     }
@@ -111,7 +113,7 @@ RadianceBounceOptions bounce_options(const Ground& ground, const PrecomputeOptio
                                      const Settings& settings) {
     RadianceBounceOptions result;
     result.cell_size = settings.cell_size;
-    if (!options.cell_size) result.finer_gloss = glossy_looseness(ground);
+    if (!options.cell_size) result.finer_gloss = 1 + glossiness(ground);
     result.oracle.partial_tolerance =
         result.oracle.partial_tolerance / result.oracle.tolerance * settings.oracle_tolerance;
     result.oracle.tolerance = settings.oracle_tolerance;
@@ -123,14 +125,16 @@ RadianceBounceOptions bounce_options(const Ground& ground, const PrecomputeOptio
 }  // namespace
 
 double glossy_looseness(const Ground& ground) {
-    return 1 + glossiness(ground);
+    constexpr double where_all_is_glossy = 2.67;
+    return 1 + (where_all_is_glossy - 1) * glossiness(ground);
 }
 
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    const double looseness = glossy_looseness(ground);
-    if (!options.cell_size) settings.cell_size *= looseness;
-    if (!options.truncation) settings.truncation *= looseness;
+    constexpr double wider_where_all_is_glossy = 1.43;
+    if (!options.cell_size)
+        settings.cell_size *= 1 + (wider_where_all_is_glossy - 1) * glossiness(ground);
+    if (!options.truncation) settings.truncation *= glossy_looseness(ground);
     settings.angular_tolerance = angular_resolution(options.error).tolerance;
     return settings;
 }

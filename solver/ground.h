@@ -36,6 +36,7 @@ struct Ground {
     /// left-out coefficients are tried, and where the result is judged, from the first on as many
     /// as it takes. A scene without room for a light, a single quad for example, has none.
     std::vector<Vec3> expected, tried, unseen;
+    std::vector<Vec3> in_rooms;  ///< the first of `expected`: as many as it takes to see each room
     std::uint64_t blind_sides = 0;       ///< sides dropped because they see no other side
     std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids
 };

@@ -38,7 +38,7 @@ std::vector<JudgedLight> judge(const Ground& ground, const PrecomputeOptions& op
                                const GlobalTransport& transport, std::size_t first,
                                std::size_t last, const Progress& progress) {
     EstimateOptions asked;
-    asked.noise = std::clamp(options.error, 0.03, 0.05);
+    asked.noise = std::clamp(options.error, 0.03, 0.1);
     constexpr int further_points = 64;
     asked.points = judged_points(ground.scene);
     if (first >= few_lights) asked.points = std::min(asked.points, further_points);
@@ -113,7 +113,7 @@ double no_looseness(const Ground&) {
 
 constexpr Pipeline diffuse_pipeline = {
     diffuse_operator,  diffuse_settings, tighten_diffuse, tighten_diffuse_cells,
-    diffuse_functions, diffuse_memory,   no_looseness,    8000};
+    diffuse_functions, diffuse_memory,   no_looseness,    5000};
 constexpr Pipeline glossy_pipeline = {
     glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy_cells,
     glossy_functions, glossy_memory_for, glossy_looseness, 50000};

@@ -33,7 +33,7 @@ std::vector<Finding> bright_room() {
             std::max(wall_sums, std::abs(received(wall.first, 0) / uniform(wall.first, 0) - 1));
     return {{"energy, solved", solved.abs().maxCoeff(), 1e-4},
             {"energy more than there is, solved", solved.maxCoeff(), 1e-4},
-            {"energy, stored", stored.abs().maxCoeff(), 1e-4, 0.01},
+            {"energy, stored", stored.abs().maxCoeff(), 1e-4, 0.011},
             {"sums of form factors of walls", wall_sums, 1e-5},
             {"sums of form factors of cells, rms", lit.report().closure.deficit_after, 1e-5, 3e-3}};
 }
