@@ -23,8 +23,8 @@ struct SceneSweep {
     std::vector<std::string> remarks;  ///< what was left out, and why; how errors were judged
 };
 
-/// Measures the default oracle, the paper's, computing everything at the finest level and
-/// compressing then, and path tracing in every frame.
+/// Measures the default, the default with one setting changed by hand, the paper's oracle,
+/// computing everything at the finest level and compressing then, and path tracing in every frame.
 /// @throws as precompute, JudgedScene and write_operator_file
 SceneSweep swept(const Scene& scene, const SweepOptions& options, const Progress& progress);
 

@@ -61,7 +61,7 @@ class Study {
           judge_(judge),
           progress_(progress),
           bounces_(bounces_of(transport)) {
-        constexpr int lamps = 32;
+        constexpr int lamps = 256;  // as precompute expects
         rule_.weight = expected_light(
             transport, scene, positions_in_rooms(scene.scene, scene.visibility, lamps, 1975));
         rule_.is_mean.assign(transport.space.functions(), false);
