@@ -113,7 +113,7 @@ RadianceBounceOptions bounce_options(const Ground& ground, const PrecomputeOptio
                                      const Settings& settings) {
     RadianceBounceOptions result;
     result.cell_size = settings.cell_size;
-    if (!options.cell_size) result.finer_gloss = 1 + glossiness(ground);
+    if (!options.cell_size) result.finer_gloss = glossy_looseness(ground);
     result.oracle.partial_tolerance =
         result.oracle.partial_tolerance / result.oracle.tolerance * settings.oracle_tolerance;
     result.oracle.tolerance = settings.oracle_tolerance;
@@ -125,16 +125,14 @@ RadianceBounceOptions bounce_options(const Ground& ground, const PrecomputeOptio
 }  // namespace
 
 double glossy_looseness(const Ground& ground) {
-    constexpr double where_all_is_glossy = 2.67;
-    return 1 + (where_all_is_glossy - 1) * glossiness(ground);
+    return 1 + glossiness(ground);
 }
 
 Settings glossy_settings(const PrecomputeOptions& options, const Ground& ground) {
     Settings settings = settings_for(options, ground.distance, ground.elements.size());
-    constexpr double wider_where_all_is_glossy = 1.43;
-    if (!options.cell_size)
-        settings.cell_size *= 1 + (wider_where_all_is_glossy - 1) * glossiness(ground);
-    if (!options.truncation) settings.truncation *= glossy_looseness(ground);
+    const double looseness = glossy_looseness(ground);
+    if (!options.cell_size) settings.cell_size *= looseness;
+    if (!options.truncation) settings.truncation *= looseness;
     settings.angular_tolerance = angular_resolution(options.error).tolerance;
     return settings;
 }

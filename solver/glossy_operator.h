@@ -11,9 +11,8 @@
 
 namespace lightwell {
 
-/// How many times as loose as in a diffuse scene truncation is: 2.67, less where little is glossy.
-/// Cells of diffuse sides are up to 1.43 times as wide then, and those of glossy sides half as
-/// wide.
+/// How many times as wide as in a diffuse scene the cells of diffuse sides are, and as loose the
+/// truncation: 2, less where little is glossy. Glossy sides have cells as in a diffuse scene.
 ///
 /// What diffuse sides get from glossy ones is known no better than its directions, and finer cells
 /// show where one direction ends. Light in scenes/glossy is 7.0 % off where cells of the floor are

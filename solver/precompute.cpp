@@ -113,7 +113,7 @@ double no_looseness(const Ground&) {
 
 constexpr Pipeline diffuse_pipeline = {
     diffuse_operator,  diffuse_settings, tighten_diffuse, tighten_diffuse_cells,
-    diffuse_functions, diffuse_memory,   no_looseness,    5000};
+    diffuse_functions, diffuse_memory,   no_looseness,    8000};
 constexpr Pipeline glossy_pipeline = {
     glossy_operator,  glossy_settings,   tighten_glossy,   tighten_glossy_cells,
     glossy_functions, glossy_memory_for, glossy_looseness, 50000};

@@ -87,7 +87,7 @@ def main():
     options.add_argument("--lights", default="50", help="unseen lamps; 50 by default")
     options.add_argument("--points", default="32", help="surface points for each lamp; 32 by default")
     options.add_argument("--seed", default="1", help="of lamps and points; 1 by default")
-    given = options.parse_args()
+    given = options.parse_intermixed_args()  # options may stand between scenes
 
     errors = [float(error) for error in given.errors.split(",")]
     judge = ["--lights", given.lights, "--points", given.points, "--seed", given.seed]
