@@ -29,7 +29,8 @@ struct ChosenPoints {
 
 /// Chooses `count` points, half of them by how well they can be seen and half by that times the
 /// square of the light shown there, since a few bright places hold most of the error. Where another
-/// way to show them is known, three tenths go by the square of the difference instead.
+/// way to show them is known, three tenths go by the square of the difference instead. Where next
+/// to nothing is shown, up to eight times as many are chosen, unless most is dark.
 ///
 /// Systematic sampling, so that what is spread evenly stays so; none if nothing can be seen.
 /// @param offset  random, in [0,1)
