@@ -84,7 +84,11 @@ class Temporary {
     /// Where the system lists the open files of a process.
     static constexpr const char* open_files = "/proc/self/fd";
 
-    std::string next_name() { return fmt::format("{}.{}-{}.part", target_, getpid(), attempt_++); }
+    /// Short, because the target's name may be as long as names can be.
+    std::string next_name() {
+        const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+        return (folder / fmt::format("lightwell-{}-{}.part", getpid(), attempt_++)).string();
+    }
 
     int named() {
         for (;;) {
@@ -127,9 +131,12 @@ void synchronise(const std::filesystem::path& folder) {
 /// Where a file of that name is to be put, symbolic links followed.
 std::filesystem::path target_of(const std::string& path) {
     namespace fs = std::filesystem;
+    if (path.empty()) throw InputError("the file to write has no name");
     std::error_code error;
     fs::path target(path);
     if (fs::is_symlink(target, error)) target = fs::weakly_canonical(target, error);
+    if (error == std::errc::filename_too_long)
+        throw InputError(fmt::format("{}: {}", path, error.message()));
     if (!target.has_filename() ||
         (fs::exists(target, error) && !fs::is_regular_file(target, error)))
         throw InputError(fmt::format("{}: is not a regular file", path));

@@ -11,6 +11,7 @@
 #include "solver/ground.h"
 #include "solver/precompute.h"
 #include "solver/reference/error_estimate.h"
+#include "solver/reference/lamp_draw.h"
 #include "solver/settings.h"
 #include "solver/stage_clock.h"
 #include "solver/transport/oracle.h"
@@ -36,7 +37,8 @@ class Attempts {
           progress_(progress),
           cost_(cost),
           clock_(clock),
-          report_(report) {}
+          report_(report),
+          lamps_(ground.scene, ground.visibility, 1) {}
 
     /// Builds one, judges it if any are judged, and says by how much it missed its error: how many
     /// times it is as wrong as it may be; 0 where none is judged.
@@ -64,6 +66,7 @@ class Attempts {
     PrecomputeReport& report_;
     EarlierWork earlier_;
     std::optional<GlobalTransport> last_;
+    LampDraw lamps_;
     std::vector<JudgedLight> judged_;
     ErrorEstimate estimate_;
 };

@@ -88,10 +88,12 @@ std::vector<Element> with_cells(const Ground& ground, const Settings& settings) 
     std::vector<Element> elements = ground.elements;
     set_cells(elements, settings.cell_size, most_levels);
     const double cells = cells_of(elements);
-    for (double finest = settings.gap_cell_size; finest < settings.cell_size; finest *= 2) {
+    double finest = settings.gap_cell_size;
+    while (finest < settings.cell_size) {
         std::vector<Element> refined = elements;
         set_gap_cells(ground.gaps, settings.cell_size, finest, most_levels, refined);
         if (cells_of(refined) <= most_for_gaps * cells) return refined;
+        finest *= 2;
     }
     return elements;
 }
@@ -139,8 +141,9 @@ GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& 
     std::vector<Element> elements = with_cells(ground, settings);
     report.blind_sides = ground.blind_sides;
     const double cells = cells_of(elements);
-    require_memory(cells, memory_for(cells, settings.truncation), memory_for(cells, 1),
-                   options.max_memory);
+    const bool is_whole = !ground.tells_what_matters();
+    require_memory(cells, memory_for(cells, is_whole ? 0 : settings.truncation),
+                   memory_for(cells, is_whole ? 0 : 1), options.max_memory);
     set_open_masks(ground.quads, ground.occluders, ground.visibility, elements, cost);
     clock.lap("elements");
 

@@ -180,8 +180,10 @@ GlobalTransport glossy_operator(const Ground& ground, const PrecomputeOptions& o
                                 PrecomputeReport& report) {
     report.blind_sides = ground.blind_sides;
     const double functions = glossy_functions(ground, options, settings);
-    require_memory(functions, glossy_memory_for(ground, functions, settings.truncation),
-                   glossy_memory_for(ground, functions, 1), options.max_memory);
+    const bool is_whole = !ground.tells_what_matters();
+    require_memory(functions,
+                   glossy_memory_for(ground, functions, is_whole ? 0 : settings.truncation),
+                   glossy_memory_for(ground, functions, is_whole ? 0 : 1), options.max_memory);
     OracleCost links_cost;
     DirectedBounce bounce =
         directed_bounce(ground, bounce_options(ground, options, settings), progress, links_cost);

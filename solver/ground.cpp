@@ -21,7 +21,7 @@ Ground::Ground(const Scene& the_scene, OracleCost& cost, SceneLobes known)
     // Weights that 48 lamps give to fine functions are mostly noise: 256 leave out 10 to 40 % more
     // coefficients at an equal error (cornell-box, maze, office, furnace), 2048 hardly more.
     constexpr int least_expected = 256;
-    constexpr int trials = 16, judged = 128;
+    constexpr int trials = 16;
     elements = seeing_elements(scene, blind_sides);
     std::vector<SideSurvey> sides = survey_sides(elements, visibility, survey_rays, cost);
     // Every room of a large building should see some of the lights.
@@ -31,7 +31,6 @@ Ground::Ground(const Scene& the_scene, OracleCost& cost, SceneLobes known)
     in_rooms = {expected.begin(),
                 expected.begin() + std::min(lights, static_cast<int>(expected.size()))};
     tried = positions_in_rooms(scene, visibility, trials, 1992);
-    unseen = positions_in_rooms(scene, visibility, judged, 1);
     inside_of_solids = drop_inside_of_solids(quads, in_rooms, visibility, cost, elements, sides);
     for (const SideSurvey& side : sides)
         closed.push_back(side.escaped == 0);

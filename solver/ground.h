@@ -19,8 +19,8 @@ struct Ground {
     /// Surveys the scene, which must outlive the object.
     ///
     /// @param cost   receives the rays
-    /// @param lobes  of the scene, as far as they are computed already; empty: none is
-    Ground(const Scene& scene, OracleCost& cost, SceneLobes lobes = {});
+    /// @param known  lobes of the scene, as far as they are computed already; empty: none is
+    Ground(const Scene& the_scene, OracleCost& cost, SceneLobes known = {});
 
     const Scene& scene;
     SceneLobes lobes;  ///< by material
@@ -32,10 +32,12 @@ struct Ground {
     double distance = 0;            ///< that light typically travels [m]
     double area = 0;                ///< of all elements, what is buried of them included [m2]
     std::vector<Gap> gaps;          ///< between elements, as low as cells may be wide
-    /// Places in rooms, each group independent of the others: where lights are expected, where
-    /// left-out coefficients are tried, and where the result is judged, from the first on as many
-    /// as it takes. A scene without room for a light, a single quad for example, has none.
-    std::vector<Vec3> expected, tried, unseen;
+    /// Places in rooms, both groups independent of each other: where lights are expected, and where
+    /// left-out coefficients are tried. A scene without room for a light, a single quad for
+    /// example, has none.
+    std::vector<Vec3> expected, tried;
+    /// Whether there are lights to tell what may be left out; without them nothing is.
+    bool tells_what_matters() const { return !expected.empty() && !tried.empty(); }
     std::vector<Vec3> in_rooms;  ///< the first of `expected`: as many as it takes to see each room
     std::uint64_t blind_sides = 0;       ///< sides dropped because they see no other side
     std::uint64_t inside_of_solids = 0;  ///< backs dropped because they lie inside solids

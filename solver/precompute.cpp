@@ -18,11 +18,11 @@ namespace {
 
 /// How many times the first errors are as large as the others, both given by their squares, for the
 /// lights that have both: one light differs more from another than operators do.
-double better_by(const std::vector<double>& before, const std::vector<double>& now) {
+double better_by(const std::vector<WeighedValue>& before, const std::vector<WeighedValue>& now) {
     double sum_before = 0, sum_now = 0;
     for (std::size_t k = 0; k < std::min(before.size(), now.size()); ++k) {
-        sum_before += before[k];
-        sum_now += now[k];
+        sum_before += before[k].weight * before[k].value;
+        sum_now += now[k].weight * now[k].value;
     }
     return sum_before > 0 && sum_now > 0 ? std::sqrt(sum_before / sum_now) : 1;
 }
@@ -76,7 +76,7 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
         };
     };
     std::array<Tighten, 2> ways = {bound(pipeline.tighten), bound(pipeline.tighten_else)};
-    std::vector<double> squares_before;
+    std::vector<WeighedValue> squares_before;
     bool hardly_before = false;
     for (report.attempts = 1;; ++report.attempts) {
         const double missed = attempts.build_and_judge(settings, progress);
@@ -122,14 +122,13 @@ GlobalTransport precompute_alike(const Scene& scene, const Pipeline& pipeline,
     return attempts.take();
 }
 
-/// Whether any quad is glossy; materials that nothing is made of cost nothing.
+}  // namespace
+
 bool has_gloss(const Scene& scene) {
     for (std::size_t q = 0; q < scene.quads.size(); ++q)
         if (is_glossy(scene.material_of(static_cast<int>(q)))) return true;
     return false;
 }
-
-}  // namespace
 
 GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
                            const Progress& progress, PrecomputeReport& report) {

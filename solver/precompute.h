@@ -8,6 +8,7 @@
 
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
+#include "solver/reference/confidence.h"
 #include "solver/transport/closure.h"
 
 namespace lightwell {
@@ -53,11 +54,14 @@ struct PrecomputeReport {
     bool interrupted = false;  ///< whether the operator is what there was when it was interrupted
     std::int64_t estimate_rays = 0;  ///< traced to judge them, beside those in Provenance::rays
     /// Of the last one, for lights it was not made for (see ErrorEstimate::squares).
-    std::vector<double> squared_errors;
+    std::vector<WeighedValue> squared_errors;
     std::uint64_t coefficients_before = 0;  ///< of M before truncation
     ClosureReport closure;
     std::map<std::string, double> seconds;  ///< by stage, with "total"
 };
+
+/// Whether any quad is glossy; materials that nothing is made of do not count.
+bool has_gloss(const Scene& scene);
 
 /// The offline pipeline: elements, links, direct transport operator, Neumann series (WRT
 /// sections 4.2 to 4.4). The transport's scene holds glossy materials as they are, however they are

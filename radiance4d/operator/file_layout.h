@@ -37,6 +37,7 @@ class FileAssembly {
 
     /// Appends a chunk, packed if that saves at least one byte in sixteen.
     void add(const std::string& tag, std::string_view content);
+    const std::vector<ChunkSummary>& table() const { return table_; }
     /// The whole file, once all chunks are there.
     const std::string& finished(std::uint64_t hash_of_scene);
 

@@ -204,10 +204,8 @@ class OperatorFileReader {
     ChunkSource source_;
 };
 
-}  // namespace
-
-void write_operator_file(const std::string& path, const GlobalTransport& transport,
-                         const std::string& options_json, const std::vector<DimmedLight>& lights) {
+FileAssembly assembled(const GlobalTransport& transport, const std::string& options_json,
+                       const std::vector<DimmedLight>& lights) {
     const std::vector<ElementShape> shapes = shapes_of(transport.space);
     std::string flaw = flaw_of(transport, shapes);
     if (flaw.empty() && !lights.empty()) flaw = flaw_of_dimmers(lights, transport.scene);
@@ -230,7 +228,19 @@ void write_operator_file(const std::string& path, const GlobalTransport& transpo
         file.add("GTOV", value_bytes(channel));
     }
     file.add("PROV", provenance_bytes(transport.provenance, options_json));
+    return file;
+}
+
+}  // namespace
+
+void write_operator_file(const std::string& path, const GlobalTransport& transport,
+                         const std::string& options_json, const std::vector<DimmedLight>& lights) {
+    FileAssembly file = assembled(transport, options_json, lights);
     write_atomically(path, file.finished(scene_hash(transport.scene)));
+}
+
+std::vector<ChunkSummary> operator_file_chunks(const GlobalTransport& transport) {
+    return assembled(transport, "{}", {}).table();
 }
 
 GlobalTransport read_operator_file(const std::string& path, std::vector<DimmedLight>* lights) {

@@ -86,6 +86,11 @@ struct ChunkSummary {
     std::uint64_t checksum = 0;  ///< XXH3-64 of the stored bytes
 };
 
+/// The chunks that write_operator_file would write, without writing them: the last one ends where
+/// the file does.
+/// @throws BrokenInvariant as write_operator_file
+std::vector<ChunkSummary> operator_file_chunks(const GlobalTransport& transport);
+
 /// What a file says about itself.
 struct OperatorFileInfo {
     std::uint32_t version = 0;

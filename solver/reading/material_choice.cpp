@@ -62,12 +62,15 @@ std::vector<std::filesystem::path> existing_files(const NamedPlace& library,
     return found;
 }
 
-Descriptions read_libraries(const PolygonSoup& soup, std::vector<Warning>& warnings) {
+/// @param files  takes the paths of those that were read
+Descriptions read_libraries(const PolygonSoup& soup, std::vector<Warning>& warnings,
+                            std::vector<std::string>& files) {
     Descriptions found;
     std::set<std::filesystem::path> read;
     for (const NamedPlace& library : soup.material_libraries)
         for (const auto& path : existing_files(library, warnings)) {
             if (!read.insert(path).second) continue;
+            files.push_back(path.string());
             for (const MaterialDescription& next : read_mtl(path.string(), warnings))
                 if (!found.emplace(next.name, next).second)
                     warnings.push_back({next.place, "material " + in_quotes(next.name) +
@@ -98,7 +101,7 @@ class MaterialChooser {
                     const std::string& default_name, AlbedoAboveOne above_one,
                     std::vector<Warning>& warnings)
         : soup_(soup), default_name_(default_name), above_one_(above_one), warnings_(warnings) {
-        described_ = read_libraries(soup, warnings);
+        described_ = read_libraries(soup, warnings, choice_.files);
         for (const MaterialDescription& mine : own) {
             described_[mine.name] = merged(mine, described_[mine.name]);
             const bool used =

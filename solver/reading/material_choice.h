@@ -14,6 +14,7 @@ struct MaterialChoice {
     std::vector<Material> materials;
     std::vector<int> of_soup;  ///< for every entry of PolygonSoup::materials
     int of_unnamed = -1;       ///< for polygons that name none; -1: there are no such polygons
+    std::vector<std::string> files;  ///< MTL files that were read
 };
 
 /// What to do with a material that reflects more light than it receives, at any angle.

@@ -45,6 +45,7 @@ std::string to_string(const PolygonCounts& counts);
 struct ReadingReport {
     PolygonCounts counts;
     std::vector<Warning> warnings;
+    std::vector<std::string> files;  ///< that were read
 };
 
 /// Gathers places at which the same thing happened, so that a file with ten thousand odd faces

@@ -46,13 +46,13 @@ double unit_from(const TomlTable& file) {
 Vec3 up_from(const TomlTable& file) {
     const std::string name = file.text("up");
     const std::optional<Vec3> axis = axis_called(name);
-    if (!axis) file.fail("up", "up must be \"x\", \"y\" or \"z\", not " + in_quotes(name));
+    if (!axis) file.fail("up", R"(up must be "x", "y" or "z", not )" + in_quotes(name));
     return *axis;
 }
 
 std::string default_material_from(const TomlTable& file,
                                   const std::vector<MaterialDescription>& materials) {
-    const std::string name = file.text("default_material");
+    std::string name = file.text("default_material");
     for (const MaterialDescription& material : materials)
         if (material.name == name) return name;
     file.fail("default_material",
@@ -111,6 +111,8 @@ void read_geometry(const GeometryChoice& geometry, AlbedoAboveOne above_one, Rea
     made.counts.copies =
         leave_out_copies(made.quads, choice.materials, geometry.file, made.warnings);
     made.counts.elements -= made.counts.copies;
+    read.report.files.push_back(geometry.file);
+    read.report.files.insert(read.report.files.end(), choice.files.begin(), choice.files.end());
     if (geometry.cut_along_walls) cut_quads(made, geometry.file);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     read.report.counts = made.counts;
@@ -149,6 +151,7 @@ ReadScene read_scene(const std::string& path, AlbedoAboveOne above_one, const Ba
                              "is a scene file, which says itself what unit its geometry has and "
                              "which way is up; only bare geometry needs to be told");
         geometry = read_scene_file(path, read);
+        read.report.files.push_back(path);
     } else if (!is_mesh_file(path)) {
         throw InputError(Place{path},
                          "a scene is a scene file (.toml) or a geometry file (.obj, "

@@ -74,7 +74,7 @@ std::vector<Rgb> stepwise_at(const std::vector<SurfacePoint>& points, const Radi
     std::vector<Rgb> values;
     for (const SurfacePoint& point : points) {
         const PlaceOnElement place = place_of(point, space, quads);
-        values.push_back(Rgb::Zero());
+        values.emplace_back(Rgb::Zero());
         if (place.element < 0) continue;
         const auto e = static_cast<std::size_t>(place.element);
         if (cells[e].rows() == 0) cells[e] = cell_irradiance(space, e, field);
@@ -82,6 +82,19 @@ std::vector<Rgb> stepwise_at(const std::vector<SurfacePoint>& points, const Radi
             cells[e].row(space.element(e).space.tree().finest_around(place.uv[0], place.uv[1]));
     }
     return values;
+}
+
+/// Sum of the squared coefficients of the finest wavelets over the surfaces, in all directions.
+double finest_details(const RadianceSpace& space, const RadianceField& field) {
+    double sum = 0;
+    for (const Element& element : space.elements()) {
+        const CellTree& tree = element.space.tree();
+        if (tree.levels() == 0) continue;
+        const std::uint32_t coarser = tree.cells(tree.levels() - 1) * element.angle.functions();
+        sum +=
+            field.middleRows(element.first + coarser, element.functions() - coarser).square().sum();
+    }
+    return sum;
 }
 
 /// What judging an operator by one light gives.
@@ -108,9 +121,12 @@ Verdict verdict_on(const GlobalTransport& transport, const std::vector<Quad>& qu
 }  // namespace
 
 double ErrorEstimate::rms() const {
-    const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
-    return squares.empty() ? 0
-                           : std::sqrt(std::max(0.0, sum) / static_cast<double>(squares.size()));
+    double sum = 0, weights = 0;
+    for (const WeighedValue& one : squares) {
+        sum += one.weight * one.value;
+        weights += one.weight;
+    }
+    return weights > 0 ? std::sqrt(std::max(0.0, sum) / weights) : 0;
 }
 
 double ErrorEstimate::energy_dropped() const {
@@ -119,23 +135,29 @@ double ErrorEstimate::energy_dropped() const {
 
 Interval ErrorEstimate::interval() const {
     if (squares.size() < 2) return {rms(), rms(), rms()};
-    std::vector<WeighedValue> weighed;
-    for (const double square : squares)
-        weighed.push_back({square});
-    return rms_interval(weighed);
+    return rms_interval(squares);
 }
 
 double ErrorEstimate::ninth_of_ten() const {
-    if (squares.empty()) return 0;
-    std::vector<double> sorted;
-    for (const double square : squares)
-        sorted.push_back(std::sqrt(std::max(0.0, square)));
-    std::sort(sorted.begin(), sorted.end());
-    // Linear between order statistics.
-    const double at = 0.9 * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const auto above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+    std::vector<WeighedValue> sorted = squares;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const WeighedValue& a, const WeighedValue& b) { return a.value < b.value; });
+    const double all =
+        std::accumulate(sorted.begin(), sorted.end(), 0.0,
+                        [](double sum, const WeighedValue& one) { return sum + one.weight; });
+    // Linear between order statistics: those of equal weights are at 0, 1/(n-1), ..., 1.
+    double share_before = 0, error_before = 0, below = 0;
+    for (const WeighedValue& one : sorted) {
+        const double error = std::sqrt(std::max(0.0, one.value));
+        const double share = below > 0 ? below / (all - one.weight) : 0;
+        if (share >= 0.9)
+            return error_before +
+                   (0.9 - share_before) / (share - share_before) * (error - error_before);
+        below += one.weight;
+        share_before = share;
+        error_before = error;
+    }
+    return error_before;
 }
 
 Scene without_emission(Scene scene) {
@@ -155,6 +177,7 @@ LightSurvey traced_indirect(const Scene& scene, const Visibility& visibility,
 std::vector<double> visible_shares(const RadianceSpace& space, const Visibility& visibility,
                                    const std::vector<SurfacePoint>& points) {
     std::vector<double> shares;
+    shares.reserve(points.size());
     for (const SurfacePoint& point : points)
         shares.push_back(visible_share(space, visibility, point));
     return shares;
@@ -176,7 +199,7 @@ std::vector<Rgb> shown_at(const std::vector<SurfacePoint>& points, const Radianc
     std::vector<Rgb> values;
     for (const SurfacePoint& point : points) {
         const PlaceOnElement place = place_of(point, space, quads);
-        values.push_back(Rgb::Zero());
+        values.emplace_back(Rgb::Zero());
         if (place.element < 0) continue;
         values.back() =
             irradiance[static_cast<std::size_t>(place.element)].at(place.uv[0], place.uv[1]);
@@ -221,6 +244,23 @@ std::vector<JudgedLight> judged_lights(const GlobalTransport& transport,
     return judged;
 }
 
+std::vector<double> lamp_stakes(const GlobalTransport& transport, const std::vector<Quad>& quads,
+                                const OccluderTree& occluders, const std::vector<Vec3>& places) {
+    const std::vector<PointLight> lamps = white_unit_lamps(places);
+    std::vector<double> stakes(lamps.size());
+    tbb::parallel_for(std::size_t{0}, lamps.size(), [&](std::size_t k) {
+        const RadianceField direct =
+            projected_lights(transport.space, {lamps[k]}, quads, occluders);
+        const RadianceField gathered = gathered_light(transport, direct);
+        const RadianceField stored = global_light(transport, direct) - direct;
+        const double size = gathered.square().sum();
+        const double unsure =
+            (gathered - stored).square().sum() + finest_details(transport.space, gathered);
+        stakes[k] = size > 0 ? unsure / size : 0;
+    });
+    return stakes;
+}
+
 std::string basis_of(const std::vector<JudgedLight>& judged) {
     std::size_t points = 0;
     for (const JudgedLight& one : judged)
@@ -242,12 +282,14 @@ void add_errors(const GlobalTransport& transport, const std::vector<Quad>& quads
         verdicts[i] =
             verdict_on(transport, quads, occluders, judged[first + i], first + i < lamps_solved);
     });
-    for (const Verdict& verdict : verdicts) {
-        estimate.stored_flux += verdict.stored_flux;
-        estimate.solved_flux += verdict.solved_flux;
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        const Verdict& verdict = verdicts[i];
+        const double weight = judged[first + i].lamp_weight;
+        estimate.stored_flux += weight * verdict.stored_flux;
+        estimate.solved_flux += weight * verdict.solved_flux;
         if (verdict.deviation.reference_square > 0)
-            estimate.squares.push_back(verdict.deviation.square /
-                                       verdict.deviation.reference_square);
+            estimate.squares.push_back(
+                {verdict.deviation.square / verdict.deviation.reference_square, weight});
     }
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 #include "solver/reference/random_lights.h"
-#include "solver/reference/random_stream.h"
 
 namespace lightwell {
 
@@ -12,41 +12,45 @@ namespace {
 
 enum Stream : std::uint64_t { pilot_stream = 1, chance_stream, position_stream };
 
-/// Mean stake of a few lamps, which are not used for anything else.
-double pilot_mean(const Scene& scene, const Visibility& visibility, std::uint64_t seed,
-                  const std::function<double(const Vec3&)>& stake, const Progress& progress) {
-    constexpr int pilots = 16;
-    double mean = 0;
-    for (const Vec3& position :
-         positions_in_rooms(scene, visibility, pilots, RandomStream(seed, pilot_stream).bits())) {
-        progress.check();
-        mean += stake(position) / pilots;
-    }
-    return mean;
-}
-
 }  // namespace
 
-std::vector<DrawnLamp> drawn_lamps(const Scene& scene, const Visibility& visibility, int count,
-                                   std::uint64_t seed,
-                                   const std::function<double(const Vec3&)>& stake,
-                                   const Progress& progress) {
-    const double mean = pilot_mean(scene, visibility, seed, stake, progress);
-    RandomStream random(seed, chance_stream);
-    std::vector<DrawnLamp> lamps;
-    // In groups, because telling rooms apart takes time in the square of the positions.
+LampDraw::LampDraw(const Scene& scene, const Visibility& visibility, std::uint64_t seed)
+    : scene_(scene), visibility_(visibility), seed_(seed), random_(seed, chance_stream) {}
+
+/// Of a few lamps, which are not used for anything else.
+double LampDraw::mean_stake(const LampStakes& stakes) const {
+    constexpr int pilots = 16;
+    const std::vector<double> all = stakes(
+        positions_in_rooms(scene_, visibility_, pilots, RandomStream(seed_, pilot_stream).bits()));
+    return all.empty() ? 0 : std::accumulate(all.begin(), all.end(), 0.0) / pilots;
+}
+
+std::vector<DrawnLamp> LampDraw::more(int count, const LampStakes& stakes,
+                                      const Progress& progress) {
+    // In groups, because telling rooms apart takes time in the square of the places.
     constexpr int group = 64;
-    for (std::uint64_t g = 0; static_cast<int>(lamps.size()) < count; ++g) {
-        const std::vector<Vec3> positions = positions_in_rooms(
-            scene, visibility, group, RandomStream(seed, position_stream, g).bits());
-        if (positions.empty()) return {};
-        for (const Vec3& position : positions) {
-            if (static_cast<int>(lamps.size()) == count) break;
-            progress.check();
-            const double stakes = mean > 0 ? stake(position) / mean : 1;
-            const double chance = std::min(1.0, 0.1 + 0.1 * stakes);
-            if (random.uniform() < chance) lamps.push_back({position, 1 / chance});
+    constexpr std::ptrdiff_t at_once = 16;
+    const double mean = mean_stake(stakes);
+    std::vector<DrawnLamp> lamps;
+    while (static_cast<int>(lamps.size()) < count) {
+        progress.check();
+        if (places_.empty())
+            places_ = positions_in_rooms(scene_, visibility_, group,
+                                         RandomStream(seed_, position_stream, groups_++).bits());
+        if (places_.empty()) return {};
+        const std::vector<Vec3> some(
+            places_.begin(),
+            places_.begin() + std::min(at_once, static_cast<std::ptrdiff_t>(places_.size())));
+        const std::vector<double> stake = stakes(some);
+        std::ptrdiff_t seen = 0;
+        for (; seen < static_cast<std::ptrdiff_t>(some.size()) &&
+               static_cast<int>(lamps.size()) < count;
+             ++seen) {
+            const auto k = static_cast<std::size_t>(seen);
+            const double chance = mean > 0 ? std::min(1.0, 0.1 + 0.1 * stake[k] / mean) : 0.2;
+            if (random_.uniform() < chance) lamps.push_back({some[k], 1 / chance});
         }
+        places_.erase(places_.begin(), places_.begin() + seen);
     }
     return lamps;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -35,19 +36,141 @@ bool clear_of_surfaces(const Scene& scene, const Vec3& position, double clearanc
     });
 }
 
-bool among_reflecting_sides(const Scene& scene, const Visibility& visibility, const Vec3& position,
-                            const Eigen::Matrix3d& axes, const LightPlacement& placement) {
-    int reflecting = 0, black_backs = 0;
-    for (int k = 0; k < placement.directions; ++k) {
-        const Hit hit = visibility.nearest(position, free_point,
-                                           axes * spiral_direction(k, placement.directions));
+/// What is seen all round from a position.
+struct Surroundings {
+    int reflecting = 0, black_backs = 0;  ///< directions that meet such a side
+    double distance = 0;                  ///< mean, of what is met [m]
+};
+
+Surroundings looked_round(const Scene& scene, const Visibility& visibility, const Vec3& position,
+                          const Eigen::Matrix3d& axes, int directions) {
+    Surroundings seen;
+    int met = 0;
+    for (int k = 0; k < directions; ++k) {
+        const Hit hit =
+            visibility.nearest(position, free_point, axes * spiral_direction(k, directions));
         if (!hit) continue;
         const Material& material = scene.material_of(hit.quad);
-        if (reflects(material) && (hit.front || material.reflecting == Sides::both)) ++reflecting;
-        if (!hit.front && material.reflecting == Sides::front) ++black_backs;
+        if (reflects(material) && (hit.front || material.reflecting == Sides::both))
+            ++seen.reflecting;
+        if (!hit.front && material.reflecting == Sides::front) ++seen.black_backs;
+        seen.distance += (hit.distance - seen.distance) / ++met;
     }
-    return reflecting >= placement.surrounded * placement.directions &&
-           black_backs <= placement.hidden * placement.directions;
+    return seen;
+}
+
+bool is_among_reflecting_sides(const Surroundings& seen, const LightPlacement& placement) {
+    return seen.reflecting >= placement.surrounded * placement.directions &&
+           seen.black_backs <= placement.hidden * placement.directions;
+}
+
+/// Proposes positions in the bounding box along given axes.
+class BoxProposals {
+  public:
+    BoxProposals(const Scene& scene, const Eigen::Matrix3d& axes) : axes_(axes) {
+        for (const SceneQuad& one : scene.quads)
+            for (const Vec3& corner : one.quad.vertex)
+                box_.extend(axes.transpose() * corner);
+    }
+
+    double diagonal() const { return box_.diagonal().norm(); }
+
+    Vec3 next(RandomStream& random) const {
+        // Three statements, because the order in which arguments are evaluated is open.
+        const double x = random.uniform();
+        const double y = random.uniform();
+        const double z = random.uniform();
+        return axes_ * (box_.min() + box_.sizes().cwiseProduct(Vec3(x, y, z)));
+    }
+
+  private:
+    Eigen::Matrix3d axes_;
+    Eigen::AlignedBox3d box_;  // along these axes
+};
+
+/// Proposes positions on chords: a surface point even by area, a direction by its cosine, a place
+/// anywhere on the way to what is met. Such chords are as dense everywhere in the air, whichever
+/// way they run, so that places on them are even over its volume where long ones are kept oftener
+/// than short ones, by their lengths.
+class ChordProposals {
+  public:
+    ChordProposals(const Scene& scene, const Visibility& visibility, RandomStream& random)
+        : scene_(scene), visibility_(visibility) {
+        double area = 0;
+        for (const SceneQuad& one : scene.quads)
+            area_to_.push_back(area += one.quad.area());
+        constexpr int pilots = 512;
+        for (int k = 0; k < pilots; ++k)
+            longest_ = std::max(longest_, chord(random).length);
+    }
+
+    /// None where a chord leaves the scene or is too short for its turn.
+    std::optional<Vec3> next(RandomStream& random) const {
+        const Chord found = chord(random);
+        const double kept = random.uniform(), at = random.uniform();
+        if (!(kept * longest_ < found.length)) return std::nullopt;
+        return found.start + at * found.length * found.direction;
+    }
+
+  private:
+    struct Chord {
+        Vec3 start, direction;
+        double length = 0;  ///< 0: it leaves the scene
+    };
+
+    Chord chord(RandomStream& random) const {
+        const double area = random.uniform() * area_to_.back();
+        const auto at = std::upper_bound(area_to_.begin(), area_to_.end() - 1, area);
+        const auto q = static_cast<int>(at - area_to_.begin());
+        const Quad& quad = scene_.quads[static_cast<std::size_t>(q)].quad;
+        const double u = random.uniform(), v = random.uniform();
+        const double side = random.uniform() < 0.5 ? 1 : -1;
+        const double sine_square = random.uniform(), turn = 2 * M_PI * random.uniform();
+        const double sine = std::sqrt(sine_square);
+        Chord chord;
+        chord.start = quad.point(u, v);
+        chord.direction = local_frame(quad) * Vec3(sine * std::cos(turn), sine * std::sin(turn),
+                                                   side * std::sqrt(1 - sine_square));
+        const Hit hit = visibility_.nearest(chord.start, q, chord.direction);
+        if (hit) chord.length = hit.distance;
+        return chord;
+    }
+
+    const Scene& scene_;
+    const Visibility& visibility_;
+    std::vector<double> area_to_;  ///< of all quads up to each
+    double longest_ = 0;           ///< of some chords: longer ones are rare
+};
+
+/// Positions that the placement allows, as many as wanted if that can be had.
+std::vector<Vec3> allowed_positions(const Scene& scene, const Visibility& visibility, int wanted,
+                                    RandomStream& random, const LightPlacement& placement) {
+    std::vector<Vec3> positions;
+    if (scene.quads.empty()) return positions;
+    const Eigen::Matrix3d axes = own_axes(scene);
+    const BoxProposals box(scene, axes);
+    const bool on_chords = placement.proposal == LightProposal::on_chords;
+    std::optional<ChordProposals> chords;
+    if (on_chords) chords.emplace(scene, visibility, random);
+    constexpr int tries_for_one = 200;
+    for (int tries = 0;
+         static_cast<int>(positions.size()) < wanted && tries < tries_for_one * wanted; ++tries) {
+        // That far below one in so many chance does not bring it.
+        const auto found = static_cast<double>(positions.size());
+        if (tries > tries_for_one * (found + 4 * std::sqrt(found) + 16)) break;
+        const std::optional<Vec3> position =
+            on_chords ? chords->next(random) : std::optional<Vec3>(box.next(random));
+        if (!position) continue;
+        const double in_box = placement.clearance * box.diagonal();
+        if (!on_chords && !clear_of_surfaces(scene, *position, in_box)) continue;
+        const Surroundings seen =
+            looked_round(scene, visibility, *position, axes, placement.directions);
+        if (is_among_reflecting_sides(seen, placement) &&
+            (!on_chords ||
+             clear_of_surfaces(scene, *position, placement.clearance * seen.distance)))
+            positions.push_back(*position);
+    }
+    return positions;
 }
 
 /// Number of the space that each position belongs to, in order of first appearance.
@@ -93,29 +216,9 @@ double distance_to(const Quad& quad, const Vec3& point) {
 
 std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visibility, int count,
                                       std::uint64_t seed, const LightPlacement& placement) {
-    const Eigen::Matrix3d axes = own_axes(scene);
-    Eigen::AlignedBox3d box;  // along these axes
-    for (const SceneQuad& one : scene.quads)
-        for (const Vec3& corner : one.quad.vertex)
-            box.extend(axes.transpose() * corner);
-
-    const int wanted = std::max(placement.candidates, 8 * count);
-    const double clearance =
-        placement.clearance * (scene.quads.empty() ? 0 : box.diagonal().norm());
-    std::vector<Vec3> positions;
     RandomStream random(seed);
-    const int most_tries = scene.quads.empty() ? 0 : 200 * wanted;
-    for (int tries = 0; tries < most_tries && static_cast<int>(positions.size()) < wanted;
-         ++tries) {
-        // Three statements, because the order in which arguments are evaluated is open.
-        const double x = random.uniform();
-        const double y = random.uniform();
-        const double z = random.uniform();
-        const Vec3 position = axes * (box.min() + box.sizes().cwiseProduct(Vec3(x, y, z)));
-        if (clear_of_surfaces(scene, position, clearance) &&
-            among_reflecting_sides(scene, visibility, position, axes, placement))
-            positions.push_back(position);
-    }
+    const std::vector<Vec3> positions = allowed_positions(
+        scene, visibility, std::max(placement.candidates, 8 * count), random, placement);
     const std::vector<int> space = spaces_of(positions, visibility);
     std::vector<int> members(space.size(), 0);
     for (const int one : space)
@@ -128,18 +231,21 @@ std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visi
             lights.push_back({fmt::format("random {}", lights.size()), positions[k], Rgb::Ones()});
     if (static_cast<int>(lights.size()) < count)
         throw InputError(fmt::format(
-            "{}: no room for {} lights: only {} positions lie among reflecting surfaces and at "
-            "least {:.3g} m from each",
-            scene.geometry_file, count, lights.size(), clearance));
+            "{}: no room for {} lights: only {} positions lie among reflecting surfaces and not "
+            "close to any",
+            scene.geometry_file, count, lights.size()));
     return lights;
 }
 
 std::vector<Vec3> positions_in_rooms(const Scene& scene, const Visibility& visibility, int count,
                                      std::uint64_t seed) {
-    LightPlacement indoors;
-    indoors.surrounded = 0.6;
+    LightPlacement indoors, indoors_on_chords, on_chords;
+    indoors.surrounded = indoors_on_chords.surrounded = 0.6;
+    indoors_on_chords.proposal = on_chords.proposal = LightProposal::on_chords;
+    indoors_on_chords.clearance = on_chords.clearance = 0.07;  // in a room, as far as of its box
     std::vector<Vec3> positions;
-    for (const LightPlacement& placement : {indoors, LightPlacement{}}) {
+    for (const LightPlacement& placement :
+         {indoors, LightPlacement{}, indoors_on_chords, on_chords}) {
         try {
             for (const PointLight& light : random_lights(scene, visibility, count, seed, placement))
                 positions.push_back(light.position);

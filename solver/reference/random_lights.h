@@ -8,9 +8,17 @@
 
 namespace lightwell {
 
+/// How positions are proposed, evenly over the volume of the air either way.
+enum class LightProposal {
+    in_box,     ///< in the scene's bounding box: most are in rooms where these fill it
+    on_chords,  ///< between places that see each other: whatever the rooms' share of the box
+};
+
 /// Where "anywhere in the scene" is.
 struct LightPlacement {
-    /// Least distance to every quad, as a share of the diagonal of the scene's bounding box.
+    LightProposal proposal = LightProposal::in_box;
+    /// Least distance to every quad: of positions in the box as a share of its diagonal, of those
+    /// on chords as a share of the mean distance that is seen from there.
     double clearance = 0.02;
     /// Directions, even over the sphere, in which a position looks round.
     int directions = 64;
@@ -28,14 +36,17 @@ struct LightPlacement {
 };
 
 /// `count` isotropic lights of intensity (1,1,1) cd, uniform over the volume that the placement
-/// allows within the bounding box along the sides of the largest quad; the same for the same seed.
-/// They turn and move with the scene.
-/// @throws InputError if the scene has no such volume (or less than about 1/200 of its box).
+/// allows, within the bounding box along the sides of the largest quad or on chords; the same for
+/// the same seed. They turn and move with the scene.
+/// @throws InputError if the scene has no such volume (or less than about 1/200 of its box, or of
+///                    what chords reach).
 std::vector<PointLight> random_lights(const Scene& scene, const Visibility& visibility, int count,
                                       std::uint64_t seed, const LightPlacement& placement = {});
 
 /// `count` such positions in rooms rather than in the open, or, where there is no room, anywhere
-/// that the default placement allows; none in a scene without either, a single quad for example.
+/// that the default placement allows. Where the bounding box does not bring them, as in rooms that
+/// are low for their width or far apart, those on chords are tried. None in a scene without any of
+/// these, a single quad for example.
 std::vector<Vec3> positions_in_rooms(const Scene& scene, const Visibility& visibility, int count,
                                      std::uint64_t seed);
 

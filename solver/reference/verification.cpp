@@ -74,10 +74,15 @@ class Verifier {
 
     Verification run(const Progress& progress) {
         const std::vector<QuadSide> sides = seeing_sides(scene_, visibility_);
+        if (sides.empty())
+            throw InputError(scene_.name +
+                             ": no surface reflects light and sees another, so there is nothing to "
+                             "verify");
         const std::vector<DrawnLamp> drawn = lamps(sides, progress);
         if (drawn.empty())
-            throw InputError(scene_.geometry_file +
-                             ": no room for a lamp, so there is nothing to verify");
+            throw InputError(scene_.name +
+                             ": no place for a lamp among surfaces that reflect light, so there is "
+                             "nothing to verify");
         for (std::size_t k = 0; k < drawn.size(); ++k) {
             progress.check();
             progress.say("verify", static_cast<double>(k) / static_cast<double>(drawn.size()));
@@ -89,8 +94,7 @@ class Verifier {
                   candidates_for(lamp_at(drawn[k].position), std::move(points), std::move(visible)),
                   random);
         }
-        if (result_.lights < 2)
-            throw InputError(scene_.geometry_file + ": nothing in it reflects light");
+        if (result_.lights < 2) throw InputError(scene_.name + ": nothing in it reflects light");
         conclude();
         return result_;
     }
@@ -120,17 +124,22 @@ class Verifier {
         const std::uint64_t seed = seed_of(lamp_stream);
         const std::vector<SurfacePoint> points = sample_surface(scene_, sides, glances, seed);
         const std::vector<double> visible = visible_shares(space_, visibility_, points);
-        return drawn_lamps(
-            scene_, visibility_, options_.lights, seed,
-            [&](const Vec3& position) {
-                return relative_difference(candidates_for(lamp_at(position), points, visible));
-            },
-            progress);
+        const auto stakes = [&](const std::vector<Vec3>& places) {
+            std::vector<double> differences;
+            for (const Vec3& place : places) {
+                progress.check();
+                differences.push_back(
+                    relative_difference(candidates_for(lamp_at(place), points, visible)));
+            }
+            return differences;
+        };
+        return LampDraw(scene_, visibility_, seed).more(options_.lights, stakes, progress);
     }
 
     std::vector<Rgb> direct_at(const PointLight& lamp,
                                const std::vector<SurfacePoint>& points) const {
         std::vector<Rgb> values;
+        values.reserve(points.size());
         for (const SurfacePoint& p : points)
             values.push_back(direct_.from_light(p.position, p.normal, p.quad, lamp));
         return values;

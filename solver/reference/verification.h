@@ -66,7 +66,7 @@ struct Verification {
 ///
 /// Unbiased: a squared error is the mean product of the residuals of two batches of paths, over all
 /// pairs of the batches of a point, which are independent (see deviation_from). Where the first and
-/// the last way differ much, more can be wrong: such lamps (see drawn_lamps) and such points are
+/// the last way differ much, more can be wrong: such lamps (see LampDraw) and such points are
 /// chosen oftener, and so are bright ones; each counts by the inverse of its chance. What errors
 /// are relative to is integrated over all candidates (measure_of).
 ///

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "radiance4d/failure.h"
 #include "solver/series/mean_truncation.h"
 #include "solver/series/truncation.h"
 
@@ -64,6 +65,11 @@ NeumannSeries truncated_series(const SymmetricOperator& bounce, const Eigen::Arr
     return series;
 }
 
+bool is_finite(const Eigen::SparseMatrix<double>& matrix) {
+    return std::all_of(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(),
+                       [](double value) { return std::isfinite(value); });
+}
+
 }  // namespace
 
 SymmetricOperator truncated_bounce(BounceTruncation truncation, const TrialLights& tried,
@@ -104,6 +110,11 @@ void sum_series(const Eigen::ArrayXd& weight, const TrialLights& tried,
         first_of.push_back(c);
         const NeumannSeries series =
             truncated_series(transport.bounce, rho.col(c), tried, target.global, rule, progress);
+        if (!is_finite(series.sum))
+            throw InputError(
+                "the operator gives back more light than it gets, so that its bounces have no sum: "
+                "links are computed from too few samples; another --oracle-tolerance or --error, "
+                "or the geometric oracle, helps");
         transport.indirect.push_back(
             to_operator(without_small_means(series.sum, rule, share_of_means * target.global)));
         transport.provenance.bounces = std::max(transport.provenance.bounces, series.bounces);

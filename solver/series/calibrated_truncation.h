@@ -31,6 +31,8 @@ SymmetricOperator truncated_bounce(BounceTruncation truncation, const TrialLight
 /// and the bounce operator are there already.
 ///
 /// @param weight  LightEnsemble::direct
+/// @throws InputError  if the series has no sum, as the bounce operator gains light: one whose
+///                     links the paper's oracle sampled too coarsely can
 void sum_series(const Eigen::ArrayXd& weight, const TrialLights& tried,
                 const TruncationTarget& target, const Progress& progress,
                 GlobalTransport& transport);

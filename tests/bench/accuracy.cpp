@@ -181,14 +181,14 @@ void run(const Request& request) {
     for (std::size_t l = 0; l < judged.size(); ++l) {
         const LightErrors errors = errors_of(opened, judged[l]);
         print_light(l, judged[l].light.position, errors);
-        picture.squares.push_back(errors.picture.square / errors.picture.reference_square);
-        gather.squares.push_back(errors.gather.square / errors.gather.reference_square);
+        picture.squares.push_back({errors.picture.square / errors.picture.reference_square});
+        gather.squares.push_back({errors.gather.square / errors.gather.reference_square});
         above += errors.picture.relative_rms > request.precompute.error ? 1 : 0;
     }
     std::cout << fmt::format(
         "picture rms {:.4f} worst {:.4f}, gather rms {:.4f}; {} of {} above {}\n", picture.rms(),
-        std::sqrt(*std::max_element(picture.squares.begin(), picture.squares.end())), gather.rms(),
-        above, judged.size(), request.precompute.error);
+        std::sqrt(quantile_of(picture.squares, 1)), gather.rms(), above, judged.size(),
+        request.precompute.error);
 }
 
 /// Reads the command line into the request. @return whether there is something to do.

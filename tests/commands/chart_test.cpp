@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "tests/commands/program.h"
@@ -14,10 +16,12 @@ TEST(Chart, DrawsASceneIntoAFolder) {
     EXPECT_EQ(run.err, "");
     const std::string page = contents(charts + "/index.html");
     for (const char* part :
-         {"default: gathered", "default: G stored", "default: T iterated", "by hand: gathered",
-          "cells x 1.4", "paper's oracle: gathered", "compute and compress: gathered",
-          "path tracing in every frame", "best N coefficients", "WRT figure 4", "WRT figure 6",
-          "WRT figure 7", "WRT figure 8"})
+         {"default: gathered", "default: G stored", "default: T iterated",
+          "default, with its judging", "default by hand: gathered", "cells x 2",
+          "paper's oracle: gathered", "compute and compress: gathered",
+          "path tracing in every frame", "best N coefficients of G by weight", "after WRT figure 4",
+          "after WRT figure 6", "after WRT figure 7", "after WRT figure 8", "Made by lightwell",
+          "the knee", "The cheapest frame for each error"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* chart : {"error-precompute", "error-rays", "error-coefficients",
                               "error-memory", "error-frame", "gathered", "powers", "thresholds"}) {
@@ -33,6 +37,23 @@ TEST(Chart, NeedsASceneAndAFolder) {
     EXPECT_EQ(lightwell({"chart", folder / "none.toml", "-o", folder / "charts"}).status, 1);
     const std::string file = folder.write("file", "text");
     EXPECT_EQ(lightwell({"chart", sample_scene("corner"), "-o", file, "--quick"}).status, 1);
+}
+
+TEST(Chart, LeavesNothingWhereItFailsAndTouchesNothingOfOthers) {
+    const ScratchFolder folder;
+    const std::string plate = folder.write("plate.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    const ProgramRun none = lightwell({"chart", plate, "-o", folder / "a/charts", "--quick"});
+    EXPECT_EQ(none.status, 1);
+    EXPECT_NE(none.err.find("no place for a lamp"), std::string::npos) << none.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a/charts"));
+
+    const std::string precious = folder.write("operator.gto", "precious");
+    EXPECT_EQ(lightwell({"chart", plate, "-o", folder.path(), "--quick"}).status, 1);
+    EXPECT_EQ(contents(precious), "precious");
+
+    EXPECT_EQ(lightwell({"chart", plate, "-o", "/proc/charts", "--quick"}).status, 2);
+    EXPECT_EQ(lightwell({"chart", plate, "-o", plate + "/charts", "--quick"}).status, 1);
+    EXPECT_EQ(lightwell({"chart", plate, "-o", "", "--quick"}).status, 1);
 }
 
 TEST(Chart, StopsOnRequest) {

@@ -47,6 +47,52 @@ TEST(Faults, AFullDiskKeepsWhatWasThereAndLeavesNothing) {
     EXPECT_EQ(folder.names(), (Words{"s.csv", "x.gto"}));
 }
 
+TEST(Faults, NamesAreTakenUpToTheirLimitAndRefusedBeyondItBeforeTheWork) {
+    const ScratchFolder folder;
+    const std::string longest = folder / (std::string(251, 'x') + ".gto");
+    EXPECT_EQ(lightwell(quick_work(longest)).status, 0);
+    EXPECT_EQ(folder.names().size(), 1U);
+    const ProgramRun refused =
+        lightwell({"precompute", folder / "none.toml", "-o", folder / std::string(300, 'x')});
+    expect_clear_message(refused, 1, "too long");
+    expect_clear_message(lightwell(quick_work("")), 1, "no name");
+    EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(Faults, WhatIsReadIsNotReplaced) {
+    const ScratchFolder folder;
+    const std::string mtl = folder.write("white.mtl", "newmtl white\nKd 0.7 0.7 0.7\n");
+    const std::string room =
+        folder.write("room.obj",
+                     "mtllib white.mtl\nusemtl white\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n"
+                     "v 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\nf 1 2 3 4\nf 5 8 7 6\n"
+                     "f 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+    const std::string scene = folder.write("room.toml",
+                                           "geometry = \"room.obj\"\n[[light]]\ntype = \"point\"\n"
+                                           "position = [1, 1, 1]\nintensity = 10\nname = \"l\"\n");
+    const std::string lights = folder.write(
+        "lights.toml",
+        "[[light]]\ntype = \"point\"\nposition = [1, 1, 1]\nintensity = 10\nname = \"l\"\n");
+    const std::string sensors = folder.write("sensors.csv", "1,1,0,0,0,1\n");
+    const std::string file = folder / "room.gto", other_name = folder / "./room.gto";
+    const auto precompute = [&](const std::string& output) {
+        return lightwell({"precompute", scene, "-o", output, "--error", "0.5", "--attempts", "0"});
+    };
+    for (const std::string& output : {scene, room, mtl}) {
+        const std::string before = contents(output);
+        expect_clear_message(precompute(output), 1, "read by this very command");
+        EXPECT_EQ(contents(output), before);
+    }
+    ASSERT_EQ(precompute(file).status, 0);
+    for (const std::string& output : {file, other_name, sensors, lights}) {
+        const std::string before = contents(output);
+        expect_clear_message(
+            lightwell({"measure", file, "--sensors", sensors, "--lights", lights, "-o", output}), 1,
+            "read by this very command");
+        EXPECT_EQ(contents(output), before);
+    }
+}
+
 // The limit is that of the process, as a batch system sets it: whatever does not fit is told.
 TEST(Faults, LittleMemoryIsToldAndKeepsWhatWasThere) {
 #ifdef __SANITIZE_ADDRESS__

@@ -352,6 +352,20 @@ TEST(Precompute, WithoutTruncationTheMemoryOfADenseOperatorIsRequired) {
     EXPECT_EQ(folder.names(), Words{"x.gto"});
 }
 
+// Without a lamp to tell what may be left out nothing is.
+TEST(Precompute, WithoutRoomForALampTheMemoryOfADenseOperatorIsRequired) {
+    const ScratchFolder folder;
+    const std::string plates = folder.write("plates.obj",
+                                            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                            "v 0 0 10\nv 0 1 10\nv 1 1 10\nv 1 0 10\n"
+                                            "f 1 2 3 4\nf 5 6 7 8\n");
+    const ProgramRun refused = lightwell({"precompute", plates, "-o", folder / "x.gto", "--error",
+                                          "0.1", "--cell-size", "0.02", "--max-memory", "1G"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("8192 cells"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("allowed are 1.0 GiB"), std::string::npos) << refused.err;
+}
+
 TEST(Precompute, WithoutTruncationAWarningComesFirst) {
     const ScratchFolder folder;
     Words words = {"precompute",   sample_scene("corner"),
@@ -365,6 +379,37 @@ TEST(Precompute, WithoutTruncationAWarningComesFirst) {
     EXPECT_NE(run.err.find("warning: --truncation 0"), std::string::npos) << run.err;
     words.push_back("-q");
     EXPECT_EQ(lightwell(words).err, "");
+}
+
+// What was asked for and could not be judged is not passed over.
+TEST(Precompute, SaysWhereTheErrorCannotBeJudged) {
+    const ScratchFolder folder;
+    const std::string plates =
+        folder.write("plates.obj",
+                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                     "v 0 0 10\nv 0 1 10\nv 1 1 10\nv 1 0 10\nf 1 2 3 4\nf 5 6 7 8\n");
+    const Words words = {"precompute", plates, "-o", folder / "x.gto", "--error", "0.2"};
+    const ProgramRun judged = lightwell(words);
+    EXPECT_EQ(judged.status, 0);
+    EXPECT_NE(judged.err.find("the error is not known"), std::string::npos) << judged.err;
+    Words unjudged = words;
+    unjudged.insert(unjudged.end(), {"--attempts", "0"});
+    EXPECT_EQ(lightwell(unjudged).err.find("not known"), std::string::npos);
+    const ProgramRun verified = lightwell({"verify", folder / "x.gto"});
+    EXPECT_EQ(verified.status, 1);
+    EXPECT_NE(verified.err.find("no place for a lamp"), std::string::npos) << verified.err;
+}
+
+// Few samples a link may find more light than there is; a series of such bounces has no sum.
+TEST(Precompute, SaysWhereBouncesHaveNoSum) {
+    const ScratchFolder folder;
+    const std::string file = folder / "x.gto";
+    const ProgramRun run =
+        lightwell({"precompute", sample_scene("maze"), "-o", file, "--oracle", "variation",
+                   "--oracle-tolerance", "0.03", "--error", "0.1", "--attempts", "0"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("no sum"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 TEST(Progress, IsShownOnATerminalOnly) {

@@ -59,7 +59,6 @@ void limit(const ProgramSetting& setting) {
     if (setting.limits_files) {
         const rlimit files{setting.file_limit, setting.file_limit};
         setrlimit(RLIMIT_FSIZE, &files);
-        signal(SIGXFSZ, SIG_IGN);  // the write fails instead, as on a full disk
     }
 }
 

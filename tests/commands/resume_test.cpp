@@ -79,12 +79,12 @@ TEST(Resume, GoesOnWithGlossyScenes) {
               0);
     const double coarse = number(info_of(file), "error_estimated");
     const ProgramRun on =
-        lightwell({"precompute", "--resume", file, "--error", "0.2", "--attempts", "1", "--json"});
+        lightwell({"precompute", "--resume", file, "--error", "0.12", "--attempts", "1", "--json"});
     ASSERT_EQ(on.status, 0) << on.err;
     const nlohmann::json report = nlohmann::json::parse(on.out);
     EXPECT_LT(report.at("error_estimated").get<double>(), coarse);
     EXPECT_GT(report.at("gto_by_transfer").at("glossy_to_glossy").at("coefficients"), 0);
-    EXPECT_EQ(number(info_of(file), "error_asked"), 0.2);
+    EXPECT_EQ(number(info_of(file), "error_asked"), 0.12);
 }
 
 TEST(Resume, LearnsFromAGlossyOperatorThatMissedItsError) {
@@ -100,6 +100,50 @@ TEST(Resume, LearnsFromAGlossyOperatorThatMissedItsError) {
     ASSERT_EQ(on.status, 0) << on.err;
     EXPECT_LT(number(info_of(file), "oracle_tolerance"), number(first, "oracle_tolerance"));
     EXPECT_EQ(number(info_of(file), "error_asked"), 0.1);
+}
+
+TEST(Resume, ReportsWhereThereIsNothingToDo) {
+    const ScratchFolder folder;
+    const std::string file = folder / "corner.gto", other = folder / "other.gto";
+    const ProgramRun first =
+        lightwell({"precompute", sample_scene("corner"), "-o", file, "--error", "0.2", "--json"});
+    ASSERT_EQ(first.status, 0) << first.err;
+    const ProgramRun again =
+        lightwell({"precompute", "--resume", file, "-o", other, "--error", "0.3", "--json"});
+    ASSERT_EQ(again.status, 0) << again.err;
+    const nlohmann::json made = nlohmann::json::parse(first.out),
+                         taken = nlohmann::json::parse(again.out);
+    for (const char* key : {"quads", "elements", "cells", "gto_coefficients", "error_estimated"})
+        EXPECT_EQ(made.at(key), taken.at(key)) << key;
+    EXPECT_EQ(taken.at("attempts"), 0);
+    EXPECT_EQ(info_of(other).at("scene_hash"), info_of(file).at("scene_hash"));
+}
+
+// The preview of an interrupted computation is worth less than what it went on from.
+TEST(Resume, LeavesNothingWorseThanWhatItWentOnFrom) {
+    const ScratchFolder folder;
+    const std::string file = folder / "box.gto", other = folder / "other.gto";
+    ASSERT_EQ(lightwell({"precompute", sample_scene("cornell-box"), "-o", file, "--error", "0.06"})
+                  .status,
+              0);
+    const ProgramRun stopped =
+        interrupted({"precompute", "--resume", file, "-o", other, "--error", "0.02"});
+    EXPECT_EQ(stopped.status, 3) << stopped.err;
+    EXPECT_NE(stopped.err.find("box.gto is as it was"), std::string::npos) << stopped.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"box.gto"});
+}
+
+TEST(Resume, KeepsTheOracleOfTheFileAndTakesNoOther) {
+    const ScratchFolder folder;
+    const std::string file = folder / "corner.gto";
+    ASSERT_EQ(lightwell({"precompute", sample_scene("corner"), "-o", file, "--error", "0.4",
+                         "--attempts", "0"})
+                  .status,
+              0);
+    const ProgramRun run =
+        lightwell({"precompute", "--resume", file, "--error", "0.3", "--oracle", "variation"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("--oracle"), std::string::npos) << run.err;
 }
 
 TEST(Resume, NeedsASceneOrAFile) {

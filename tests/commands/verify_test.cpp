@@ -82,6 +82,12 @@ TEST(Verify, PrintsTheTableOfFailureModesUntilItIsStopped) {
     EXPECT_EQ(run.out.find("FAILED"), std::string::npos) << run.out;
 }
 
+TEST(Verify, JudgesAFileOrTheProgramButNotBothAtOnce) {
+    const ProgramRun run = lightwell({"verify", "x.gto", "--stability"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("--stability"), std::string::npos) << run.err;
+}
+
 TEST(Verify, StopsOnRequest) {
     const ScratchFolder folder;
     const std::string file = precomputed(folder, sample_scene("cornell-box"));

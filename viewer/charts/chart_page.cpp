@@ -1,5 +1,7 @@
 #include "viewer/charts/chart_page.h"
 
+#include <nlohmann/json.hpp>
+
 namespace lightwell {
 
 namespace {
@@ -17,17 +19,25 @@ std::string row_of(const std::vector<std::string>& cells, const std::string& tag
     return row + "</tr>\n";
 }
 
+/// Names of files may hold any bytes: those that are no letters become U+FFFD.
+std::string valid_utf8(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char letter : text) {
+    for (const char letter : valid_utf8(text)) {
         if (letter == '&')
             result += "&amp;";
         else if (letter == '<')
             result += "&lt;";
         else if (letter == '>')
             result += "&gt;";
+        else if (letter >= 0 && letter < ' ')
+            result += ' ';
         else
             result += letter;
     }

@@ -24,7 +24,8 @@ struct ChartPage {
 /// One HTML file that needs nothing else.
 std::string html_of(const ChartPage& page);
 
-/// Text as it must stand in HTML or SVG.
+/// Text as it must stand in HTML or SVG. Control characters, which must not, become blanks, and
+/// bytes that are no UTF-8 become U+FFFD.
 std::string escaped(const std::string& text);
 
 }  // namespace lightwell

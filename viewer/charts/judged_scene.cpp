@@ -1,28 +1,17 @@
 #include "viewer/charts/judged_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "radiance4d/failure.h"
-#include "radiance4d/scene/brdf.h"
 #include "radiance4d/scene/scene_quads.h"
 #include "solver/reference/deviation.h"
 #include "solver/reference/random_lights.h"
 
 namespace lightwell {
 
-namespace {
-
-Scene diffuse_and_dark(const Scene& of) {
-    Scene scene = without_emission(of);
-    std::transform(scene.materials.begin(), scene.materials.end(), scene.materials.begin(),
-                   diffuse_of_equal_albedo);
-    return scene;
-}
-
-}  // namespace
-
 ChartedScene::ChartedScene(const Scene& of)
-    : scene(diffuse_and_dark(of)), quads(quads_of(scene)), visibility(quads), occluders(quads) {}
+    : scene(without_emission(of)), quads(quads_of(scene)), visibility(quads), occluders(quads) {}
 
 JudgedScene::JudgedScene(const ChartedScene& scene, const GlobalTransport& transport, int lamps,
                          int points, const Progress& progress)
@@ -31,7 +20,10 @@ JudgedScene::JudgedScene(const ChartedScene& scene, const GlobalTransport& trans
     const std::vector<Vec3> positions =
         positions_in_rooms(scene.scene, scene.visibility, lamps, seed);
     if (positions.empty())
-        throw InputError(scene.scene.geometry_file + ": no room for a lamp, so nothing to chart");
+        throw InputError(
+            scene.scene.geometry_file +
+            ": no place for a lamp among surfaces that reflect light, so there is nothing to "
+            "chart");
     EstimateOptions judge;
     judge.points = points;
     judge.noise = 0.02;
@@ -40,8 +32,9 @@ JudgedScene::JudgedScene(const ChartedScene& scene, const GlobalTransport& trans
                             judge, progress);
 }
 
-Interval JudgedScene::error_of(const GlobalTransport& transport, Propagation propagation) const {
+JudgedError JudgedScene::error_of(const GlobalTransport& transport, Propagation propagation) const {
     std::vector<WeighedValue> squares;
+    JudgedError error;
     for (const JudgedLight& one : judged_) {
         const Lighting lighting =
             light_scene(transport, {one.light}, scene_.quads, scene_.occluders, propagation);
@@ -49,10 +42,13 @@ Interval JudgedScene::error_of(const GlobalTransport& transport, Propagation pro
             shown_at(one.points, transport.space,
                      smooth_irradiance(transport.space, lighting.indirect), scene_.quads);
         const Deviation deviation = deviation_from(one.truth, shown, one.weight);
-        if (deviation.reference_square > 0)
-            squares.push_back({deviation.square / deviation.reference_square});
+        if (!(deviation.reference_square > 0)) continue;
+        const double square = deviation.square / deviation.reference_square;
+        squares.push_back({square});
+        error.worst_lamp = std::max(error.worst_lamp, std::sqrt(std::max(square, 0.0)));
     }
-    return squares.size() < 2 ? Interval{} : rms_interval(squares);
+    if (squares.size() >= 2) error.rms = rms_interval(squares);
+    return error;
 }
 
 }  // namespace lightwell

@@ -12,8 +12,7 @@
 
 namespace lightwell {
 
-/// A scene without emission and gloss (see diffuse_of_equal_albedo), and the search structures over
-/// its quads.
+/// A scene without emission, and the search structures over its quads.
 struct ChartedScene {
     explicit ChartedScene(const Scene& of);
 
@@ -21,6 +20,12 @@ struct ChartedScene {
     std::vector<Quad> quads;
     Visibility visibility;
     OccluderTree occluders;
+};
+
+/// What an operator is wrong by over some lamps.
+struct JudgedError {
+    Interval rms;           ///< relative L2 of indirect irradiance over the lamps; 0: not known
+    double worst_lamp = 0;  ///< the same of the lamp with the largest
 };
 
 /// The indirect light of some lamps by path tracing, to measure operators of the scene against. All
@@ -35,7 +40,7 @@ class JudgedScene {
                 const Progress& progress);
 
     /// Error of indirect irradiance, reconstructed smoothly from the basis.
-    Interval error_of(const GlobalTransport& transport, Propagation propagation) const;
+    JudgedError error_of(const GlobalTransport& transport, Propagation propagation) const;
 
     const std::vector<JudgedLight>& lights() const { return judged_; }
 

@@ -20,7 +20,8 @@ struct NamedChart {
 std::vector<NamedChart> charts_of(const SceneSweep& sweep, const std::string& scene);
 
 /// One page with all charts and tables.
+/// @param made_with  by which program, how, and where: a sentence
 ChartPage page_of(const SceneSweep& sweep, const std::vector<NamedChart>& charts,
-                  const std::string& scene);
+                  const std::string& scene, const std::string& made_with);
 
 }  // namespace lightwell

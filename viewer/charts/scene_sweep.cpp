@@ -4,181 +4,244 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "radiance4d/failure.h"
 #include "viewer/charts/operator_sweep.h"
+#include "viewer/charts/sweep_plan.h"
 
 namespace lightwell {
 
 namespace {
 
-/// What is measured for a scene of that many quads.
-struct Plan {
-    std::vector<double> errors;
-    std::vector<double> compressions;  ///< truncation after everything was computed
-    std::vector<double> thresholds;    ///< of the truncation study
-    double varied_error = 0.05;        ///< whose settings are varied by hand
-    double study_error = 0.1;          ///< whose cells the study has
-    double most_dense_cells = 0;       ///< that everything is computed for
-    int lamps = 0, points = 0;
-};
+enum Colour { default_colour, paper_colour, compressed_colour, varied_colour, traced_colour };
 
-Plan plan_for(std::size_t quads, bool quick) {
-    const bool large = quads > 60;
-    Plan plan;
-    plan.compressions = {0.3, 0.1, 0.03};
-    plan.thresholds = {1e-2, 3e-3, 1e-3, 3e-4, 1e-4};
-    if (quick) {
-        plan.errors =
-            large ? std::vector<double>{0.4, 0.2, 0.1} : std::vector<double>{0.3, 0.2, 0.1, 0.05};
-        plan.varied_error = large ? 0.2 : 0.1;
-        plan.study_error = large ? 0.3 : 0.2;
-        plan.most_dense_cells = 1600;
-        plan.lamps = 8;
-        plan.points = 100;
-        plan.thresholds.pop_back();
-    } else {
-        plan.errors = {0.4, 0.2, 0.1, 0.05, 0.03, 0.02};
-        plan.most_dense_cells = 5000;
-        plan.lamps = 40;
-        plan.points = 150;
-        plan.thresholds.push_back(3e-5);
-    }
-    return plan;
-}
-
-/// Threshold of the paper's oracle over the error that it is to reach.
+/// Threshold of the paper's oracle over the error that it is to reach: what its samples of a link
+/// may differ by, of the link's largest value.
 constexpr double paper_tolerance = 0.3;
 
 /// One setting changed by hand: what the default sets, times this.
 struct Variation {
     const char* name;
-    double cell_size, oracle_tolerance, truncation;
+    double cell_size, oracle_tolerance, truncation;  ///< 1: left to the default
 };
 
-/// Up and down by what changes the cost of each noticeably.
-constexpr std::array<Variation, 6> variations{{{"cells x 0.7", 0.7, 1, 1},
-                                               {"cells x 1.4", 1.4, 1, 1},
+std::optional<double> by_hand(double of_default, double times) {
+    if (times == 1) return std::nullopt;
+    return times * of_default;
+}
+
+/// Cells by a whole level, the others by what changes the cost noticeably.
+constexpr std::array<Variation, 6> variations{{{"cells x 0.5", 0.5, 1, 1},
+                                               {"cells x 2", 2, 1, 1},
                                                {"oracle x 0.3", 1, 0.3, 1},
                                                {"oracle x 3", 1, 3, 1},
                                                {"truncation x 0.6", 1, 1, 0.6},
                                                {"truncation x 1.7", 1, 1, 1.7}}};
 
-/// Tells how much of the work is done.
-class Steps {
+std::string asked_text(double error) {
+    return fmt::format("asked {:g} %", 100 * error);
+}
+
+/// Does one part of the sweep after the other.
+class Sweep {
   public:
-    Steps(const Progress& progress, std::size_t all) : progress_(progress), all_(all) {}
-    void next() {
-        progress_.check();
-        progress_.say("chart", static_cast<double>(done_++) / static_cast<double>(all_));
+    Sweep(const Scene& of, bool quick, const Progress& progress)
+        : scene_(of),
+          is_glossy_(has_gloss(scene_.scene)),
+          plan_(sweep_plan(scene_.scene.quads.size(), is_glossy_, quick)),
+          progress_(progress),
+          parts_(plan_.errors.size() + plan_.judged_errors.size() + variations.size() + 1) {
+        if (!is_glossy_) parts_ += plan_.errors.size() + plan_.compressions.size() + 1;
+    }
+
+    SceneSweep run() {
+        defaults();
+        judged();
+        varied();
+        if (!is_glossy_) {
+            paper();
+            compressed();
+            studied();
+        } else {
+            remark(
+                "The paper's oracle, computing everything at the finest level, and what truncation "
+                "does to an operator are left out: they are for scenes without gloss.");
+        }
+        traced();
+        return std::move(sweep_);
     }
 
   private:
-    const Progress& progress_;
-    std::size_t all_, done_ = 0;
-};
+    void next_part() {
+        progress_.check();
+        progress_.say("chart", static_cast<double>(done_++) / static_cast<double>(parts_));
+    }
 
-void append(std::vector<MeasuredSetting>& all, std::vector<MeasuredSetting> more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
+    void remark(const std::string& text) { sweep_.remarks.push_back(text); }
+
+    std::vector<MeasuredSetting> add(const Method& method, const std::string& setting,
+                                     const BuiltOperator& one) {
+        const std::vector<MeasuredSetting> more = measured(method, setting, one, scene_, *judge_);
+        sweep_.settings.insert(sweep_.settings.end(), more.begin(), more.end());
+        return more;
+    }
+
+    void defaults() {
+        for (const double error : plan_.errors) {
+            next_part();
+            PrecomputeOptions asked;
+            asked.error = error;
+            const BuiltOperator one = built_once(scene_, asked, progress_);
+            if (!judge_)
+                judge_.emplace(scene_, one.transport, plan_.lamps, plan_.points, progress_);
+            const MeasuredSetting gathered =
+                add({"default", default_colour, Ways::all}, asked_text(error), one).front();
+            gathered_.push_back(gathered);
+            provenance_.push_back(one.transport.provenance);
+            if (error == plan_.varied_error) {
+                sweep_.unvaried = gathered;
+                unvaried_ = one.transport.provenance;
+            }
+        }
+        remark(fmt::format(
+            "Errors are judged by path tracing: {} lamps that no operator was made for, {} places "
+            "of the surface each, the same for all settings, with emitting quads off; bars are 95 "
+            "% confidence over lamps anywhere. Rings go by the errors found: where bars overlap, "
+            "other lamps may ring others.",
+            plan_.lamps, plan_.points));
+    }
+
+    /// What the command takes that is asked for an error: with its judge, and as many operators as
+    /// it builds.
+    void judged() {
+        for (const double error : plan_.judged_errors) {
+            next_part();
+            PrecomputeOptions asked;
+            asked.error = error;
+            const BuiltOperator one = built(scene_, asked, progress_);
+            MeasuredSetting all;
+            all.method = "default, with its judging";
+            all.setting = asked_text(error);
+            const JudgedError found = judge_->error_of(one.transport, Propagation::gathered);
+            all.error = found.rms;
+            all.worst_lamp = found.worst_lamp;
+            all.cells = one.cells;
+            all.precompute_seconds = one.seconds;
+            all.rays = one.transport.provenance.rays + one.judge_rays;
+            all.look = {default_colour, 3};
+            sweep_.settings.push_back(all);
+        }
+    }
+
+    void varied() {
+        for (const Variation& change : variations) {
+            next_part();
+            PrecomputeOptions asked;
+            asked.error = plan_.varied_error;
+            asked.cell_size = by_hand(unvaried_.cell_size, change.cell_size);
+            asked.oracle_tolerance = by_hand(unvaried_.oracle_tolerance, change.oracle_tolerance);
+            asked.truncation = by_hand(unvaried_.truncation, change.truncation);
+            const Method method{"default by hand", varied_colour, Ways::gathered, false};
+            sweep_.varied.push_back(
+                add(method, change.name, built_once(scene_, asked, progress_)).front());
+        }
+    }
+
+    void paper() {
+        for (const double error : plan_.errors) {
+            next_part();
+            PrecomputeOptions asked;
+            asked.error = error;
+            asked.oracle = OracleKind::variation;
+            asked.oracle_tolerance = paper_tolerance * error;
+            const std::string setting = fmt::format("oracle {:g}", paper_tolerance * error);
+            try {
+                add({"paper's oracle", paper_colour, Ways::gathered_and_stored}, setting,
+                    built_once(scene_, asked, progress_));
+            } catch (const InputError& failure) {
+                remark(fmt::format("The paper's oracle with a threshold of {:g} is left out: {}.",
+                                   paper_tolerance * error, failure.what()));
+            }
+        }
+    }
+
+    /// Cells of the default for the smallest error that has at most so many; wider ones, at most as
+    /// many, where all have more.
+    std::pair<double, double> cells_for(double most) const {
+        for (std::size_t k = plan_.errors.size(); k-- > 0;)
+            if (static_cast<double>(gathered_[k].cells) <= most)
+                return {provenance_[k].cell_size, plan_.errors[k]};
+        // Their number follows their area, but only in steps.
+        const double wider = std::exp2(
+            std::ceil(std::log2(std::sqrt(static_cast<double>(gathered_[0].cells) / most))));
+        return {wider * provenance_[0].cell_size, plan_.errors[0]};
+    }
+
+    void compressed() {
+        const auto [cell_size, error] = cells_for(plan_.most_dense_cells);
+        std::uint64_t cells = 0;
+        for (const double truncation : plan_.compressions) {
+            next_part();
+            PrecomputeOptions asked;
+            asked.error = error;
+            asked.cell_size = cell_size;
+            asked.oracle_tolerance = 0;
+            asked.truncation = truncation;
+            cells = add({"compute and compress", compressed_colour, Ways::gathered_and_stored},
+                        fmt::format("truncation {:g}", truncation),
+                        built_once(scene_, asked, progress_))
+                        .front()
+                        .cells;
+        }
+        remark(fmt::format(
+            "Everything is computed between {} cells of at most {:.2g} m and compressed then: its "
+            "cost grows with the square of the cells, so that it is only had for few. The default "
+            "for {:g} % has {} to {} of them; compare with those that have about as many.",
+            cells, cell_size, 100 * plan_.errors.back(), gathered_.front().cells,
+            gathered_.back().cells));
+    }
+
+    void studied() {
+        next_part();
+        // T as well as it can be had between these cells.
+        PrecomputeOptions fine;
+        fine.error = plan_.errors.back();
+        fine.cell_size = cells_for(plan_.most_whole_cells).first;
+        fine.truncation = 0.02;
+        fine.most_attempts = 0;
+        PrecomputeReport report;
+        Progress silent;
+        silent.stop_requested = progress_.stop_requested;
+        sweep_.truncation = study_of_truncation(precompute(scene_.scene, fine, silent, report),
+                                                scene_, *judge_, plan_.thresholds, progress_);
+    }
+
+    void traced() {
+        next_part();
+        const std::vector<MeasuredSetting> more =
+            path_traced(gathered_, traced_colour, scene_, *judge_);
+        sweep_.settings.insert(sweep_.settings.end(), more.begin(), more.end());
+    }
+
+    const ChartedScene scene_;
+    const bool is_glossy_;
+    const SweepPlan plan_;
+    const Progress& progress_;
+    std::size_t parts_, done_ = 0;
+    std::optional<JudgedScene> judge_;
+    std::vector<MeasuredSetting> gathered_;  ///< by error, of the default
+    std::vector<Provenance> provenance_;
+    Provenance unvaried_;
+    SceneSweep sweep_;
+};
 
 }  // namespace
 
-SceneSweep swept(const Scene& of, const SweepOptions& options, const Progress& progress) {
-    const ChartedScene scene(of);
-    const Plan plan = plan_for(scene.scene.quads.size(), options.quick);
-    Steps steps(progress,
-                2 * plan.errors.size() + variations.size() + plan.compressions.size() + 2);
-    SceneSweep sweep;
-    const auto setting_of = [](double error) { return fmt::format("error {:g}", error); };
-
-    std::optional<JudgedScene> judge;
-    Provenance varied;
-    double cell_size = 0, cells = 0;
-    for (const double error : plan.errors) {
-        steps.next();
-        PrecomputeOptions asked;
-        asked.error = error;
-        const BuiltOperator one = built(scene, asked, progress);
-        if (!judge) {
-            judge.emplace(scene, one.transport, plan.lamps, plan.points, progress);
-            cell_size = one.transport.provenance.cell_size;
-            cells = one.cells;
-        }
-        if (error == plan.varied_error) varied = one.transport.provenance;
-        append(sweep.settings, measured("default", setting_of(error), one, scene, *judge,
-                                        options.scratch, Ways::all));
-    }
-    sweep.remarks.push_back(fmt::format(
-        "Errors are judged by path tracing: {} lamps that no operator was made for, {} places of "
-        "the surface each, the same for all settings; bars are 95 % confidence over lamps. Every "
-        "operator is built once, from its setting, without attempts to reach an error.",
-        plan.lamps, plan.points));
-
-    for (const Variation& change : variations) {
-        steps.next();
-        PrecomputeOptions asked;
-        asked.error = plan.varied_error;
-        asked.cell_size = change.cell_size * varied.cell_size;
-        asked.oracle_tolerance = change.oracle_tolerance * varied.oracle_tolerance;
-        asked.truncation = change.truncation * varied.truncation;
-        append(sweep.settings, measured("by hand", change.name, built(scene, asked, progress),
-                                        scene, *judge, options.scratch, Ways::gathered));
-    }
-    sweep.remarks.push_back(fmt::format(
-        "By hand, one of the settings that follow from error {:g} is changed at a time. Where none "
-        "of these is ringed there, the default is the knee.",
-        plan.varied_error));
-
-    for (const double error : plan.errors) {
-        steps.next();
-        PrecomputeOptions asked;
-        asked.error = error;
-        asked.oracle = OracleKind::variation;
-        asked.oracle_tolerance = paper_tolerance * error;
-        const BuiltOperator one = built(scene, asked, progress);
-        if (!has_sum(one.transport)) {
-            sweep.remarks.push_back(fmt::format(
-                "The paper's oracle with threshold {:g} gives an operator that gains energy; its "
-                "series has no sum, and it is left out.",
-                paper_tolerance * error));
-            continue;
-        }
-        append(sweep.settings,
-               measured("paper's oracle", fmt::format("threshold {:g}", paper_tolerance * error),
-                        one, scene, *judge, options.scratch, Ways::gathered));
-    }
-
-    const double coarser = std::sqrt(std::max(1.0, cells / plan.most_dense_cells));
-    for (const double truncation : plan.compressions) {
-        steps.next();
-        PrecomputeOptions asked;
-        asked.error = plan.errors.front();
-        asked.cell_size = coarser * cell_size;
-        asked.oracle_tolerance = 0;
-        asked.truncation = truncation;
-        append(sweep.settings,
-               measured("compute and compress", fmt::format("truncation {:g}", truncation),
-                        built(scene, asked, progress), scene, *judge, options.scratch,
-                        Ways::gathered_and_stored));
-    }
-    if (coarser > 1)
-        sweep.remarks.push_back(fmt::format(
-            "Everything is computed at the finest level, and compressed then, for cells of at most "
-            "{:.2g} m only (about {:.0f}): its cost grows with the square of the cells.",
-            coarser * cell_size, plan.most_dense_cells));
-
-    steps.next();
-    append(sweep.settings, path_traced(plan.errors, cells, scene, *judge));
-
-    steps.next();
-    PrecomputeOptions fine;
-    fine.error = plan.study_error;
-    fine.truncation = 0.02;
-    sweep.truncation = study_of_truncation(built(scene, fine, progress).transport, scene, *judge,
-                                           plan.thresholds, progress);
-    return sweep;
+SceneSweep swept(const Scene& scene, bool quick, const Progress& progress) {
+    return Sweep(scene, quick, progress).run();
 }
 
 }  // namespace lightwell

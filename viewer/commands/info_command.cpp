@@ -130,10 +130,10 @@ Json operator_json(const OperatorFileInfo& info) {
 
 /// "4.6 %, at most 5.5 % (by path tracing ...)"
 std::string reached_text(const Provenance& provenance) {
-    if (!(provenance.error_estimated > 0)) return "not measured; lightwell verify measures it";
-    std::string text = fmt::format("{:.2g} %", 100 * provenance.error_estimated);
-    if (provenance.error_bound > 0)
-        text += fmt::format(", at most {:.2g} %", 100 * provenance.error_bound);
+    if (!(provenance.error_estimated > 0))
+        return "not measured; lightwell verify does, where there is room for lamps";
+    std::string text = percent(provenance.error_estimated);
+    if (provenance.error_bound > 0) text += ", at most " + percent(provenance.error_bound);
     return provenance.error_basis.empty() ? text : text + " (" + provenance.error_basis + ")";
 }
 

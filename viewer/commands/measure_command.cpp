@@ -143,7 +143,12 @@ int gather_strata(double error) {
 }
 
 void run_measure(const MeasureRequest& request) {
-    if (!request.output.empty()) require_writable(request.output);
+    if (!request.output.empty()) {
+        require_writable(request.output);
+        require_not_read(request.output,
+                         {request.operator_file, request.sensors.value_or(""),
+                          request.probes.value_or(""), request.lights.value_or("")});
+    }
     const OpenedOperator opened = open_operator(request.operator_file);
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
     std::string text;

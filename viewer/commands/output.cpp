@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -26,12 +27,26 @@ void write_result(const std::string& path, std::string_view text) {
         write_atomically(path, text);
 }
 
+void require_not_read(const std::string& output, const std::vector<std::string>& read) {
+    for (const std::string& one : read) {
+        std::error_code error;
+        if (std::filesystem::equivalent(output, one, error))
+            throw InputError(output + ": is read by this very command; write to another file");
+    }
+}
+
 void print_message(std::string_view message) {
     fmt::print(stderr, "lightwell: {}\n", message);
 }
 
 std::string grouped(std::uint64_t number) {
     return with_separators(static_cast<long long>(number));
+}
+
+std::string percent(double fraction) {
+    const double value = 100 * fraction;
+    // Three digits and more would be written with an exponent.
+    return value < 99.5 ? fmt::format("{:.2g} %", value) : fmt::format("{:.0f} %", value);
 }
 
 std::string readable_bytes(std::uint64_t bytes) {

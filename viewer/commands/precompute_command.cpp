@@ -101,24 +101,33 @@ bool is_reached(const Provenance& provenance, double error) {
 }
 
 std::string error_text(const Provenance& provenance) {
-    return provenance.error_estimated > 0
-               ? fmt::format("{:.2g} % estimated", 100 * provenance.error_estimated)
-               : std::string("not judged yet");
+    return provenance.error_estimated > 0 ? percent(provenance.error_estimated) + " estimated"
+                                          : std::string("not judged yet");
 }
 
-/// Whether an unfinished operator should take the output's name.
+/// Whether the output is the file to go on from.
+bool is_in_place(const PrecomputeRequest& request) {
+    std::error_code error;
+    return std::filesystem::equivalent(request.output, request.resumed, error);
+}
+
+/// Whether an unfinished operator should take the output's name: where it takes nothing away, and
+/// is better than what it went on from.
 bool is_worth_keeping(const PrecomputeRequest& request, const Provenance& unfinished) {
-    if (!std::filesystem::exists(request.output)) return true;
     const auto& earlier = request.options.earlier;
-    return request.output == request.resumed && unfinished.error_estimated > 0 &&
-           (earlier->error_estimated == 0 || unfinished.error_estimated < earlier->error_estimated);
+    const bool is_better =
+        !earlier ||
+        (unfinished.error_estimated > 0 &&
+         (earlier->error_estimated == 0 || unfinished.error_estimated < earlier->error_estimated));
+    return is_better && (!std::filesystem::exists(request.output) || is_in_place(request));
 }
 
 /// Writes what there was when it was interrupted, and says so.
 [[noreturn]] void end_unfinished(const PrecomputeRequest& request, const GlobalTransport& transport,
                                  const std::vector<DimmedLight>& lights) {
     if (!is_worth_keeping(request, transport.provenance))
-        throw Interrupted(fmt::format("stopped on request; {} is as it was", request.output));
+        throw Interrupted(fmt::format("stopped on request; {} is as it was",
+                                      request.resumed.empty() ? request.output : request.resumed));
     write_operator_file(request.output, transport, options_json(request.options), lights);
     throw Interrupted(fmt::format(
         "stopped on request; {} holds what there was: {:.3g} % asked, {}. precompute --resume {} "
@@ -127,21 +136,67 @@ bool is_worth_keeping(const PrecomputeRequest& request, const Provenance& unfini
         request.output));
 }
 
+void print_report(const PrecomputeRequest& request, const GlobalTransport& transport,
+                  const PrecomputeReport& report) {
+    const PrecomputeOutcome outcome{transport, report, request.output,
+                                    std::filesystem::file_size(request.output)};
+    if (request.json)
+        print_result(json_report(outcome));
+    else if (!request.quiet)
+        print_result(readable_report(outcome));
+}
+
+/// Ends with the file to go on from where that has the error already.
+void take_over(const PrecomputeRequest& request, const std::vector<DimmedLight>& lights,
+               PrecomputeReport& report) {
+    const GlobalTransport transport =
+        timed(report.seconds, "reading", [&] { return read_operator_file(request.resumed); });
+    report.elements = transport.space.elements().size();
+    for (const Element& element : transport.space.elements())
+        report.cells += element.space.tree().functions();
+    if (!is_in_place(request))
+        timed(report.seconds, "writing", [&] {
+            write_operator_file(request.output, transport, options_json(request.options), lights);
+        });
+    if (!request.quiet)
+        print_message(fmt::format("{}: {:.3g} % asked, {}: nothing to do", request.resumed,
+                                  100 * request.options.error,
+                                  error_text(*request.options.earlier)));
+    if (request.json) print_report(request, transport, report);
+}
+
+/// Says how the error that was asked for stands to the one that was found. Said even where only the
+/// object is wanted: a number that was asked for and not reached is not for small print.
+void warn_of_error(const PrecomputeRequest& request, const Provenance& provenance) {
+    if (!(provenance.error_estimated > 0)) {
+        if (request.options.most_attempts > 0 && !request.quiet)
+            print_message(
+                "warning: the error is not known: the scene has no place for a lamp, or none that "
+                "lights anything, to judge it with");
+    } else if (provenance.error_estimated > provenance.error_asked) {
+        print_message(fmt::format(
+            "warning: the error asked for was not reached: {:.3g} % asked, {} estimated. "
+            "The final gather of measure and render does better.",
+            100 * provenance.error_asked, percent(provenance.error_estimated)));
+    } else if (provenance.error_bound > provenance.error_asked) {
+        print_message(fmt::format(
+            "warning: the error asked for is likely, but not certain: {:.3g} % asked, {} "
+            "estimated, at most {}. verify --lights 100 tells more.",
+            100 * provenance.error_asked, percent(provenance.error_estimated),
+            percent(provenance.error_bound)));
+    }
+}
+
 }  // namespace
 
 void run_precompute(PrecomputeRequest request) {
     PrecomputeReport report;
     if (request.resumed.empty()) require_writable(request.output);
     const ReadScene read = timed(report.seconds, "reading", [&] { return read_scene_of(request); });
+    require_not_read(request.output, read.report.files);
     const Scene& scene = read.scene;
     if (request.options.earlier && is_reached(*request.options.earlier, request.options.error)) {
-        if (request.output != request.resumed)
-            write_operator_file(request.output, read_operator_file(request.resumed),
-                                options_json(request.options), read.lights);
-        if (!request.quiet)
-            print_message(fmt::format("{}: {:.3g} % asked, {}: nothing to do", request.resumed,
-                                      100 * request.options.error,
-                                      error_text(*request.options.earlier)));
+        take_over(request, read.lights, report);
         return;
     }
     if (!request.resumed.empty()) require_writable(request.output);
@@ -159,28 +214,8 @@ void run_precompute(PrecomputeRequest request) {
         write_operator_file(request.output, transport, options_json(request.options), read.lights);
     });
 
-    // Said even where only the object is wanted: a number that was asked for and not reached is not
-    // for small print.
-    const Provenance& provenance = transport.provenance;
-    if (provenance.error_estimated > provenance.error_asked)
-        print_message(
-            fmt::format("warning: the error asked for was not reached: {:.3g} % asked, {:.2g} % "
-                        "estimated. The final "
-                        "gather of measure and render does better.",
-                        100 * provenance.error_asked, 100 * provenance.error_estimated));
-    else if (provenance.error_bound > provenance.error_asked)
-        print_message(fmt::format(
-            "warning: the error asked for is likely, but not certain: {:.3g} % asked, {:.2g} % "
-            "estimated, at most {:.2g} %. verify --lights 100 tells more.",
-            100 * provenance.error_asked, 100 * provenance.error_estimated,
-            100 * provenance.error_bound));
-
-    const PrecomputeOutcome outcome{transport, report, request.output,
-                                    std::filesystem::file_size(request.output)};
-    if (request.json)
-        print_result(json_report(outcome));
-    else if (!request.quiet)
-        print_result(readable_report(outcome));
+    warn_of_error(request, transport.provenance);
+    print_report(request, transport, report);
 }
 
 }  // namespace lightwell

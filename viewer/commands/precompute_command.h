@@ -24,7 +24,7 @@ struct PrecomputeRequest {
 
 /// Reads a scene, computes its transport and writes it; the report goes to standard output,
 /// warnings and progress to standard error. Where it is interrupted and has an operator already,
-/// that one is written, unless the output's name is taken by anything that is not worse.
+/// that one is written, unless the output's name is taken, or what it went on from is no worse.
 /// @throws as read_scene, precompute and write_operator_file; else nothing changes under the
 /// output's name then
 void run_precompute(PrecomputeRequest request);

@@ -35,11 +35,11 @@ CLI::App* add_precompute(CLI::App& app, PrecomputeRequest& request, std::optiona
                   request.options.error = error_argument("--error", text);
                   request.is_error_given = true;
               });
-    add_value(*command, "--oracle", "NAME",
-              "how links are refined: geometric (default), or variation, the baseline of the paper",
-              [&options](const std::string& text) {
-                  options.oracle = oracle_argument("--oracle", text);
-              });
+    add_value(
+        *command, "--oracle", "NAME",
+        "how links are refined: geometric (default), or variation, the baseline of the paper",
+        [&options](const std::string& text) { options.oracle = oracle_argument("--oracle", text); })
+        ->excludes(resumed);
     add_threads(*command, threads);
     add_value(*command, "--max-memory", "SIZE", "memory that may be taken; 8G by default",
               [&options](const std::string& text) {

@@ -108,12 +108,10 @@ std::string readable_report(const PrecomputeOutcome& outcome) {
     text += line("error asked", fmt::format("{:.3g} %", 100 * provenance.error_asked),
                  "of the indirect light, over lamps anywhere in the scene");
     text += line("estimated",
+                 provenance.error_estimated > 0 ? percent(provenance.error_estimated) : "-",
                  provenance.error_estimated > 0
-                     ? fmt::format("{:.2g} %", 100 * provenance.error_estimated)
-                     : "-",
-                 provenance.error_estimated > 0
-                     ? fmt::format("error that was reached, at most {:.2g} % with 95 % confidence",
-                                   100 * provenance.error_bound)
+                     ? fmt::format("error that was reached, at most {} with 95 % confidence",
+                                   percent(provenance.error_bound))
                      : "not measured");
     text += line("file", readable_bytes(outcome.bytes), "with geometry and materials");
     std::string stages;

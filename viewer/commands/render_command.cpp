@@ -21,6 +21,7 @@
 #include "viewer/commands/lit_scene.h"
 #include "viewer/commands/live_pictures.h"
 #include "viewer/commands/opened_operator.h"
+#include "viewer/commands/output.h"
 #include "viewer/commands/picture_output.h"
 #include "viewer/commands/stop_signal.h"
 #include "viewer/images/image_file.h"
@@ -30,6 +31,10 @@
 namespace lightwell {
 
 namespace {
+
+void heed_stop() {
+    if (stop_requested()) throw Interrupted("stopped on request");
+}
 
 /// The light at every point that a picture may show.
 class LitSurfaces {
@@ -87,10 +92,6 @@ class LitSurfaces {
     }
 
   private:
-    static void heed_stop() {
-        if (stop_requested()) throw Interrupted("stopped on request");
-    }
-
     /// What a reflecting side makes of its irradiance, and, by its lobe, of the rest [cd/m2].
     Rgb reflected(int quad, bool front, const Vec3& position, const Vec3& to_eye,
                   const Rgb& irradiance) const {
@@ -164,7 +165,11 @@ Camera chosen_camera(const RenderRequest& request, const OpenedOperator& opened)
 
 void run_render(const RenderRequest& request) {
     image_format(request.output);
-    if (!request.path) require_writable(request.output);
+    if (!request.path) {
+        require_writable(request.output);
+        require_not_read(request.output, {request.operator_file, request.lights.value_or(""),
+                                          request.camera.value_or("")});
+    }
     const OpenedOperator opened = open_operator(request.operator_file);
     const std::vector<Light> lights = chosen_lights(request.lights, opened.transport.scene);
     const Camera camera = chosen_camera(request, opened);
@@ -178,7 +183,10 @@ void run_render(const RenderRequest& request) {
     if (request.live || request.view == View::coefficients) {
         LivePictures pictures(opened, request.view, request.size, request.samples, request.opengl,
                               request.projection);
-        output.write(pictures.drawn(lights, camera), request.output);
+        heed_stop();
+        const Image drawn = pictures.drawn(lights, camera);
+        heed_stop();
+        output.write(drawn, request.output);
         return;
     }
     const std::unique_ptr<GlContext> context = make_context(request.opengl);
@@ -189,8 +197,13 @@ void run_render(const RenderRequest& request) {
     size.samples = request.samples;
     if (request.view == View::level) {
         const CameraRays rays(camera, size.width, size.height);
-        output.write(render(drawing, camera, size, level_shade(opened.transport.space, rays)),
-                     request.output);
+        const Shade level = level_shade(opened.transport.space, rays);
+        const Shade shade = [&level](int quad, bool front, const Vec3& position,
+                                     const Vec3& to_eye) {
+            heed_stop();
+            return level(quad, front, position, to_eye);
+        };
+        output.write(render(drawing, camera, size, shade), request.output);
         return;
     }
     const LitSurfaces surfaces(opened, lights, camera.position, request);

@@ -11,9 +11,12 @@ CLI::App* add_verify(CLI::App& app, VerifyRequest& request, bool& stability,
                      std::optional<int>& threads) {
     CLI::App* command = app.add_subcommand(
         "verify", "measure the error of a .gto file afresh, with path tracing as the judge");
-    command->add_option("FILE", request.operator_file, "the .gto file")->type_name("");
-    command->add_flag("--stability", stability,
-                      "instead of a file: how Lightwell does where methods like it fail; minutes");
+    CLI::Option* file =
+        command->add_option("FILE", request.operator_file, "the .gto file")->type_name("");
+    command
+        ->add_flag("--stability", stability,
+                   "instead of a file: how Lightwell does where methods like it fail; minutes")
+        ->excludes(file);
     add_value(*command, "--lights", "N", "lamps to judge, anywhere in the rooms; 40 by default",
               [&request](const std::string& text) {
                   request.options.lights = whole_argument("--lights", text, 4, 100'000);

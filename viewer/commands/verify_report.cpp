@@ -67,8 +67,8 @@ std::string text_of(const std::string& what, const ErrorSize& size) {
                                    in_per_cent(size.relative_l2), in_per_cent(size.bias));
     text += fmt::format("    {:<9}", "");
     for (std::size_t k = 0; k < error_percentiles.size(); ++k)
-        text += fmt::format(" {}{:g} % of surface: {:.2g} %, {:.2g} lx", k == 0 ? "" : "| ",
-                            error_percentiles[k], 100 * size.relative[k], size.lux[k]);
+        text += fmt::format(" {}{:g} % of surface: {}, {:.2g} lx", k == 0 ? "" : "| ",
+                            error_percentiles[k], percent(size.relative[k]), size.lux[k]);
     return text + "\n";
 }
 
@@ -112,8 +112,7 @@ std::string readable_verdict(const VerifyOutcome& outcome) {
         grouped(static_cast<std::uint64_t>(verification.rays)));
     text += fmt::format(
         "  asked {:.3g} %, estimated when it was computed {}\n", 100 * provenance.error_asked,
-        provenance.error_estimated > 0 ? fmt::format("{:.2g} %", 100 * provenance.error_estimated)
-                                       : "not");
+        provenance.error_estimated > 0 ? percent(provenance.error_estimated) : "not");
     for (const ShownError& one : verification.shown) {
         text += fmt::format("  {}, {}\n", one.name, meaning_of(one.name));
         text += text_of("indirect", one.indirect);

@@ -20,5 +20,12 @@ TEST(ChartPage, HoldsEverythingAndNeedsNothing) {
         EXPECT_EQ(html.find(outside), std::string::npos) << outside;
 }
 
+TEST(Escaped, IsTextThatHtmlAndXmlTake) {
+    EXPECT_EQ(escaped("a<b>&c"), "a&lt;b&gt;&amp;c");
+    EXPECT_EQ(escaped("r\u00e4ume"), "r\u00e4ume");
+    EXPECT_EQ(escaped("bell\a tab\t line\n"), "bell  tab  line ");
+    EXPECT_EQ(escaped("la\xe4 t"), "la\ufffd t");
+}
+
 }  // namespace
 }  // namespace lightwell
