@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "radiance4d/failure.h"
 #include "solver/series/calibrated_truncation.h"
 #include "solver/series/light_ensemble.h"
 #include "solver/transport/direct_transport.h"
@@ -98,6 +97,29 @@ std::vector<Element> with_cells(const Ground& ground, const Settings& settings) 
     return elements;
 }
 
+/// The links of all pairs. How many there will be is known too badly before (one scene's cells
+/// have 70 links each or 3,500, by the tolerance) to be left at what was foreseen.
+/// @throws MemoryExceeded  as soon as they and what is made of them cannot stay within it
+std::vector<PairLinks> links_within_memory(const std::vector<Element>& elements,
+                                           const Ground& ground, const Oracle& oracle,
+                                           std::uint64_t max_memory, const Progress& progress,
+                                           OracleCost& cost, LinkRecords* records) {
+    // Measured at the peak, where there are more than ten million: 30 to 43, and 47 to 69 with
+    // what is kept to go on from.
+    constexpr std::uint64_t bytes_a_link = 42, with_records = 70;
+    const LinkLimits limits{max_memory / bytes_a_link, max_memory / with_records};
+    try {
+        return refine_links(elements, ground.quads, ground.occluders, oracle, progress, cost,
+                            records, limits);
+    } catch (const TooManyLinks&) {
+        throw MemoryExceeded(fmt::format(
+            "at this error there are more than {:.1f} million links between cells, which take "
+            "more than the {} that are allowed (--max-memory). Ask for a larger --error, or allow "
+            "more.",
+            1e-6 * static_cast<double>(limits.most), memory_text(static_cast<double>(max_memory))));
+    }
+}
+
 /// Direct light of the trial lights.
 TrialLights projected_trials(const RadianceSpace& space, const Ground& ground,
                              const Progress& progress) {
@@ -126,7 +148,7 @@ void require_memory(double cells, double needed, double truncated, std::uint64_t
     const auto allowed = static_cast<double>(max_memory);
     if (needed <= allowed) return;
     const bool by_truncation = truncated <= allowed;
-    throw InputError(fmt::format(
+    throw MemoryExceeded(fmt::format(
         "the scene has {:.0f} cells at this error, which {}take about {}; allowed are {} "
         "(--max-memory). {}, or allow more.",
         cells, by_truncation ? "with --truncation 0 " : "", memory_text(needed),
@@ -158,8 +180,8 @@ GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& 
     const bool goes_on = options.oracle == OracleKind::geometric && options.most_attempts > 1;
     OracleCost links_cost;
     std::vector<PairLinks> pairs =
-        refine_links(elements, ground.quads, ground.occluders, *oracle, progress, links_cost,
-                     goes_on ? &earlier.links : nullptr);
+        links_within_memory(elements, ground, *oracle, options.max_memory, progress, links_cost,
+                            goes_on ? &earlier.links : nullptr);
     cost.rays += links_cost.rays;
     report.links_judged += links_cost.links_judged;
     report.link_rays += links_cost.rays;

@@ -23,7 +23,7 @@ double memory_for(double cells, double truncation);
 
 /// @param needed     memory [bytes] that so many cells take
 /// @param truncated  memory that they would take with truncation
-/// @throws InputError if it is more than is allowed
+/// @throws MemoryExceeded if it is more than is allowed
 void require_memory(double cells, double needed, double truncated, std::uint64_t max_memory);
 
 /// The operators of a scene without gloss for given settings: elements, links, direct transport
@@ -33,8 +33,9 @@ void require_memory(double cells, double needed, double truncated, std::uint64_t
 /// @param earlier  of an operator of no tighter settings: where the cells are the same, links are
 ///                 refined on from its; receives what this one leaves, if attempts may follow
 /// @param cost     receives the rays
-/// @throws InputError   if it cannot be computed within options.max_memory; said first
-/// @throws Interrupted  if the progress says so
+/// @throws MemoryExceeded  if it cannot be computed within options.max_memory: first where the
+///                         number of cells tells, or as soon as there are too many links
+/// @throws Interrupted     if the progress says so
 GlobalTransport diffuse_operator(const Ground& ground, const PrecomputeOptions& options,
                                  const Settings& settings, const Progress& progress,
                                  EarlierWork& earlier, OracleCost& cost, StageClock& clock,

@@ -1,5 +1,7 @@
 #include "solver/pipeline.h"
 
+#include <algorithm>
+
 #include "solver/diffuse_operator.h"
 #include "solver/glossy_operator.h"
 
@@ -20,9 +22,21 @@ void tighten_diffuse(const Ground& /*ground*/, const PrecomputeOptions& options,
     tighten(options, missed, settings);
 }
 
-void tighten_diffuse_cells(const Ground& /*ground*/, const PrecomputeOptions& options,
-                           double missed, Settings& settings) {
+/// Sides are halved until they are short enough: with a limit that is hardly lower, none may be,
+/// and the operator would be the same. A limit of half is one that all fall below.
+void tighten_diffuse_cells(const Ground& ground, const PrecomputeOptions& options, double missed,
+                           Settings& settings) {
+    constexpr double at_least = 1.4, step = 0.9, half = 0.5;
+    if (options.cell_size) return;
+    const Settings before = settings;
+    const double cells = cells_at(ground, before);
     tighten_cells(options, missed, settings);
+    double factor = settings.cell_size / before.cell_size;
+    while (factor > half && cells_at(ground, settings) < at_least * cells) {
+        factor = std::max(half, step * factor);
+        settings.cell_size = factor * before.cell_size;
+        settings.gap_cell_size = factor * before.gap_cell_size;
+    }
 }
 
 double diffuse_functions(const Ground& ground, const PrecomputeOptions&, const Settings& settings) {

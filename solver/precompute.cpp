@@ -79,7 +79,13 @@ void attempt(const Pipeline& pipeline, Attempts& attempts, const Ground& ground,
     std::vector<WeighedValue> squares_before;
     bool hardly_before = false;
     for (report.attempts = 1;; ++report.attempts) {
-        const double missed = attempts.build_and_judge(settings, progress);
+        double missed = 0;
+        try {
+            missed = attempts.build_and_judge(settings, progress);
+        } catch (const MemoryExceeded&) {
+            if (--report.attempts == 0) throw;
+            return;  // as below
+        }
         if (missed <= 1 || report.attempts >= options.most_attempts) return;
         if (report.attempts > 1) {
             const double better = better_by(squares_before, report.squared_errors);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "radiance4d/failure.h"
 #include "radiance4d/operator/global_transport.h"
 #include "radiance4d/progress.h"
 #include "solver/reference/confidence.h"
@@ -60,6 +61,12 @@ struct PrecomputeReport {
     std::map<std::string, double> seconds;  ///< by stage, with "total"
 };
 
+/// A scene takes more memory than may be taken.
+class MemoryExceeded : public InputError {
+  public:
+    using InputError::InputError;
+};
+
 /// Whether any quad is glossy; materials that nothing is made of do not count.
 bool has_gloss(const Scene& scene);
 
@@ -69,9 +76,9 @@ bool has_gloss(const Scene& scene);
 ///
 /// Interrupted by its progress, it returns the last operator that it finished, if there is one.
 ///
-/// @throws InputError    if the scene cannot be computed within max_memory (said before it starts
-/// in earnest)
-/// @throws Interrupted   if the progress says so and there is no operator yet
+/// @throws MemoryExceeded  if the scene cannot be computed within max_memory: before it starts in
+///                         earnest where that can be told, or as soon as there are too many links
+/// @throws Interrupted     if the progress says so and there is no operator yet
 GlobalTransport precompute(const Scene& scene, const PrecomputeOptions& options,
                            const Progress& progress, PrecomputeReport& report);
 

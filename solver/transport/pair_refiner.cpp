@@ -73,11 +73,12 @@ class RecordReader {
 
 PairRefiner::PairRefiner(const std::vector<Element>& elements, const Oracle& oracle,
                          std::function<std::vector<int>()> root, const PairLinks& pair,
-                         const Vec3& receiver, const Vec3& sender, OracleCost& cost)
+                         const Vec3& receiver, const Vec3& sender, OracleCost& cost, LinksKept told)
     : elements_(elements),
       oracle_(oracle),
       root_(std::move(root)),
       cost_(cost),
+      told_(std::move(told)),
       receiver_normal_(receiver),
       sender_normal_(sender) {
     result_.receiver = pair.receiver;
@@ -95,6 +96,7 @@ void PairRefiner::go_on_from(const PairRecord& earlier) {
 }
 
 PairLinks PairRefiner::take_links() {
+    told_(result_.links.size() - links_told_);
     result_.links.shrink_to_fit();
     return std::move(result_);
 }
@@ -189,6 +191,10 @@ void PairRefiner::keep(const LinkGeometry& geometry, const KeptVerdict& verdict,
                 strata.sampled);
         }
     }
+    constexpr std::size_t links_between = 4096;
+    if (result_.links.size() < links_told_ + links_between) return;
+    told_(result_.links.size() - links_told_);
+    links_told_ = result_.links.size();
 }
 
 }  // namespace lightwell

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -15,6 +16,9 @@ constexpr double coplanar_share = 1e-9;
 /// Steps through a record in the order of its visits.
 class RecordReader;
 
+/// Told now and then how many links were kept since; may throw to end the refinement.
+using LinksKept = std::function<void(std::size_t links)>;
+
 /// Refines the links of one pair of elements, as an oracle says, and records what it decided.
 class PairRefiner {
   public:
@@ -24,7 +28,7 @@ class PairRefiner {
     /// @param receiver, sender  normals of the whole elements
     PairRefiner(const std::vector<Element>& elements, const Oracle& oracle,
                 std::function<std::vector<int>()> root, const PairLinks& pair, const Vec3& receiver,
-                const Vec3& sender, OracleCost& cost);
+                const Vec3& sender, OracleCost& cost, LinksKept told);
 
     /// From the whole elements.
     void refine();
@@ -56,6 +60,8 @@ class PairRefiner {
     PairLinks result_;
     PairRecord record_;
     OracleCost& cost_;
+    LinksKept told_;
+    std::size_t links_told_ = 0;
     Vec3 receiver_normal_;
     Vec3 sender_normal_;
 };

@@ -62,7 +62,8 @@ struct Decided {
 std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
                                     const std::vector<Quad>& quads, const OccluderTree& tree,
                                     const Oracle& oracle, const Progress& progress,
-                                    OracleCost& cost, LinkRecords* records) {
+                                    OracleCost& cost, LinkRecords* records,
+                                    const LinkLimits& limits) {
     const std::size_t n = elements.size();
     const bool goes_on = records != nullptr && !records->empty();
     LIGHTWELL_CHECK(!goes_on || records->by_receiver.size() == n);
@@ -75,6 +76,14 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
         tolerance[e] = coplanar_share * Facet::of(elements[e].geometry, normal[e]).reach();
     }
 
+    std::atomic<std::uint64_t> links{0};
+    std::atomic<bool> forgets{records == nullptr};
+    const auto count = [&](std::size_t kept) {
+        progress.check();
+        const std::uint64_t now = links += kept;
+        if (now > limits.most) throw TooManyLinks("there are too many links");
+        if (now > limits.recorded) forgets = true;
+    };
     const auto decided = [&](std::size_t i, std::size_t j, const PairRecord* earlier) {
         const Element& x = elements[i];
         const Element& y = elements[j];
@@ -85,7 +94,8 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
                        : std::vector<int>();
         };
         Decided result;
-        PairRefiner refiner(elements, oracle, occluders, pair, normal[i], normal[j], result.cost);
+        PairRefiner refiner(elements, oracle, occluders, pair, normal[i], normal[j], result.cost,
+                            count);
         if (earlier != nullptr)
             refiner.go_on_from(*earlier);
         else
@@ -124,13 +134,13 @@ std::vector<PairLinks> refine_links(const std::vector<Element>& elements,
             cost_by_receiver[i].rays += pair.cost.rays;
             cost_by_receiver[i].links_judged += pair.cost.links_judged;
             if (!pair.links.links.empty()) by_receiver[i].push_back(std::move(pair.links));
-            if (records != nullptr && !pair.record.verdicts.empty())
-                kept.push_back(std::move(pair.record));
+            if (!forgets && !pair.record.verdicts.empty()) kept.push_back(std::move(pair.record));
         }
         if (records != nullptr) records->by_receiver[i] = std::move(kept);
         progress.say("links", static_cast<double>(++finished) / static_cast<double>(n));
     });
 
+    if (records != nullptr && forgets) records->by_receiver.clear();
     std::vector<PairLinks> all;
     for (std::size_t i = 0; i < n; ++i) {
         for (PairLinks& pair : by_receiver[i])

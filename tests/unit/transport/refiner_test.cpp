@@ -1,5 +1,6 @@
 #include "solver/transport/refiner.h"
 
+#include <atomic>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -253,6 +254,68 @@ TEST(Refiner, StopsWhenAsked) {
     EXPECT_THROW(refine_links(testing::uniform_elements(walls, 1), walls, OccluderTree(walls),
                               LotOracle(1), progress, cost),
                  Interrupted);
+}
+
+/// Refines everything to the finest cells, and counts what it is asked.
+class FinestOracle : public Oracle {
+  public:
+    Verdict judge(const LinkGeometry& link, std::vector<int>& /*occluders*/, LinkStrata& strata,
+                  OracleCost& /*cost*/) const override {
+        ++asked;
+        unsigned sides = 0;
+        if (!link.receiver_finest) sides |= receiver_space;
+        if (!link.sender_finest) sides |= sender_space;
+        if (sides != 0) return {Verdict::Act::refine, sides, {}};
+        strata.exchange[0].fill(1);
+        return {Verdict::Act::keep, 0, {}};
+    }
+    bool needs_occluders() const override { return false; }
+
+    mutable std::atomic<std::size_t> asked{0};
+};
+
+TEST(Refiner, MakesNoMoreLinksThanAllowed) {
+    const std::vector<Quad> walls = testing::box_walls({1, 1, 1});
+    const std::vector<Element> elements = testing::uniform_elements(walls, 1);
+    const std::size_t all = 15 * 4 * 4;  // pairs of walls, of four cells each
+    OracleCost cost;
+    const auto links_of = [&](std::uint64_t most) {
+        std::size_t links = 0;
+        for (const PairLinks& pair : refine_links(elements, walls, OccluderTree(walls),
+                                                  FinestOracle(), {}, cost, nullptr, {most}))
+            links += pair.links.size();
+        return links;
+    };
+    EXPECT_EQ(links_of(all), all);
+    EXPECT_THROW(links_of(all - 1), TooManyLinks);
+}
+
+TEST(Refiner, RecordsNoMoreLinksThanAllowed) {
+    const std::vector<Quad> walls = testing::box_walls({1, 1, 1});
+    const std::vector<Element> elements = testing::uniform_elements(walls, 1);
+    const std::size_t all = 15 * 4 * 4;
+    for (const std::size_t recorded : {all, all - 1}) {
+        LinkRecords records;
+        LinkLimits limits;
+        limits.recorded = recorded;
+        OracleCost cost;
+        const auto pairs = refine_links(elements, walls, OccluderTree(walls), FinestOracle(), {},
+                                        cost, &records, limits);
+        EXPECT_EQ(pairs.size(), 15U);
+        EXPECT_EQ(records.empty(), recorded < all);
+    }
+}
+
+TEST(Refiner, StopsAmidAPairWithTooManyLinks) {
+    std::vector<Quad> facing = testing::box_walls({1, 1, 1});
+    facing.resize(2);
+    const std::vector<Element> elements = testing::uniform_elements(facing, 5);
+    const FinestOracle oracle;
+    OracleCost cost;
+    EXPECT_THROW(
+        refine_links(elements, facing, OccluderTree(facing), oracle, {}, cost, nullptr, {1}),
+        TooManyLinks);
+    EXPECT_LT(oracle.asked, 1024U * 1024U / 10);  // of links that there would be
 }
 
 }  // namespace
